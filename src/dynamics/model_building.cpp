@@ -127,10 +127,7 @@ public:
         model_.part_count = static_cast<int>(plan.parts.size());
         for (std::size_t i = 0; i < plan.parts.size(); ++i)
             model_.measured_parts |= std::uint64_t{plan.parts[i].measures_forces} << i;
-        for (int slot = 0; slot < kMaxBodies; ++slot) {
-            model_.parent_slot[slot] = slot;
-            model_.stretch_slot[slot] = -1;
-        }
+        clear_slots(model_, 0);
     }
 
     Result<PlanarModel> build() {

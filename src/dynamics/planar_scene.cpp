@@ -2,6 +2,7 @@
 #include "core/text/nearest_name.h"
 #include "dynamics/integrators/builtin_integrators.h"
 #include "dynamics/island/joined_scenes.h"
+#include "dynamics/island/packed_body.h"
 #include "dynamics/island/scene_body.h"
 #include "dynamics/model/stretching.h"
 #include "dynamics/model_building.h"
@@ -55,7 +56,7 @@ CAMBRIAN_INLINE Simd4d heights_of(const Corners& corners, const Kinematics& k, i
 
 // The moment to which go_back() goes, and the forces during the next tick.
 struct Mark {
-    SceneMoment moment;
+    PackedNumbers moment;
     std::vector<HeldForce> pulls;
 };
 
@@ -63,21 +64,21 @@ class PlanarScene final : public BodyScene {
 public:
     PlanarScene(PlanarModel&& model, const Environment& environment, const SceneSettings& settings,
                 const IntegratorKind& integrator)
-        : body_(std::move(model)),
-          motor_frequency_(settings.motor_frequency),
-          workspace_(std::make_unique<StepWorkspace>(integrator, settings)) {
-        workspace_->control.change_model(body_.model);
-        body_.forcing.drive.frequency = motor_frequency_;
-        body_.forcing.drive.speed_limit = settings.motor_speed_limit;
-        body_.state.motion = rest_motion(body_.model);
+        : motor_frequency_(settings.motor_frequency),
+          size_{model.body_count, model.tree_count, model.part_count},
+          workspace_(std::make_unique<StepWorkspace>(integrator, settings)),
+          body_(&workspace_->room(0)) {
+        body_->model = std::move(model);
+        workspace_->control.change_model(body_->model);
+        body().forcing.drive.frequency = motor_frequency_;
+        body().forcing.drive.speed_limit = settings.motor_speed_limit;
+        body().state.motion = rest_motion(body().model);
         use_environment(environment);
         evaluate_here();
-        start_audit(body_.model, body_.forcing.medium, body_.state);
+        start_audit(body().model, body().forcing.medium, body().state);
     }
 
-    std::size_t part_count() const override {
-        return static_cast<std::size_t>(body_.model.part_count);
-    }
+    std::size_t part_count() const override { return static_cast<std::size_t>(size_.parts); }
     Pose part_pose(std::size_t part) const override;
     Vec3 part_center(std::size_t part) const override;
     Vec3 part_axis(std::size_t part) const override;
@@ -92,13 +93,13 @@ public:
     bool face_touched(std::size_t part, Face face) const override;
     Vec3 part_specific_force(std::size_t part) const override;
     double part_load(std::size_t part) const override;
-    double mass() const override { return body_.model.total_mass; }
-    Vec3 center_of_mass() const override { return mean_of_trees(body_.state.motion.position); }
+    double mass() const override { return body().model.total_mass; }
+    Vec3 center_of_mass() const override { return mean_of_trees(body().state.motion.position); }
     Vec3 center_of_mass_velocity() const override {
-        return mean_of_trees(body_.state.motion.speed);
+        return mean_of_trees(body().state.motion.speed);
     }
     double kinetic_energy() const override {
-        return cambrian::kinetic_energy(body_.model, body_.state.cache().kinematics);
+        return cambrian::kinetic_energy(body().model, body().state.cache().kinematics);
     }
     Bounds bounds() const override;
     double lowest_point() const override;
@@ -108,33 +109,34 @@ public:
     double largest_target_change() const override;
     void set_stretch_target(std::size_t part, double target) override;
     SceneStatus advance(double duration) override;
-    SceneStatus status() const override { return body_.state.status; }
-    double time() const override { return body_.state.time; }
+    SceneStatus status() const override { return body().state.status; }
+    double time() const override { return body().state.time; }
     void set_environment(const Environment& environment) override;
     void set_fixed_boxes(std::span<const FixedBox> boxes) override;
     void set_motors_off(bool off) override;
     void translate(const Vec3& offset) override;
     void pull(std::size_t part, const Vec3& point_in_part, const Vec3& force) override;
-    SceneSize size() const override {
-        return {body_.model.body_count, body_.model.tree_count, body_.model.part_count};
-    }
+    SceneSize size() const override { return size_; }
     void mark() override;
     void go_back() override;
-    SceneBody& body() override { return body_; }
+    SceneBody& open(SceneBody& room) override;
+    void close() override;
     std::unique_ptr<SceneState> save() const override {
-        return std::make_unique<SavedState>(body_.state, environment_, body_.motors_off);
+        return std::make_unique<SavedState>(body().state, environment_, body().motors_off);
     }
     void restore(const SceneState& state) override;
-    std::unique_ptr<SceneWorkspace> take_workspace() override { return std::move(workspace_); }
+    std::unique_ptr<SceneWorkspace> take_workspace() override;
     void give_workspace(std::unique_ptr<SceneWorkspace> workspace) override;
     SceneMotion motion() const override;
     bool begin_at(const SceneMotion& motion) override;
     double energy() const override {
-        return mechanical_energy(body_.model, body_.forcing.medium, body_.state.motion,
-                                 body_.state.cache().kinematics);
+        return mechanical_energy(body().model, body().forcing.medium, body().state.motion,
+                                 body().state.cache().kinematics);
     }
-    const SceneAudit& audit() const override { return body_.state.audit; }
-    void restart_audit() override { start_audit(body_.model, body_.forcing.medium, body_.state); }
+    const SceneAudit& audit() const override { return body().state.audit; }
+    void restart_audit() override {
+        start_audit(body().model, body().forcing.medium, body().state);
+    }
     void list_contacts(std::vector<SceneContact>& contacts) const override;
     void list_impacts(std::vector<SceneImpact>& impacts) const override;
     void add_to_digest(Hash64& digest) const override;
@@ -144,43 +146,85 @@ private:
     // The body with the joint of this part, or -1 if the part is a root or has a rigid joint.
     int joint_of(std::size_t part) const {
         CAMBRIAN_ASSERT(part < part_count(), "part index in range");
-        return body_.model.part_joint[part];
+        return body().model.part_joint[part];
     }
-    int stretch_of(std::size_t part) const { return body_.model.stretch_slot[body_of(part)]; }
+    int stretch_of(std::size_t part) const { return body().model.stretch_slot[body_of(part)]; }
     void set_slot_target(int slot, double target);
     int body_of(std::size_t part) const {
         CAMBRIAN_ASSERT(part < part_count(), "part index in range");
-        return body_.model.part_body[part];
+        return body().model.part_body[part];
     }
     // World offset of a point of a part from its body's centre of mass.
     Vec2 arm_of(std::size_t part, double x, double y) const;
     void use_environment(const Environment& environment);
     double energy_under(const Environment& environment) const;
-    void evaluate_here();
+    void evaluate_here() const;
+    // The body. If it is packed, it gets memory of its own, since something must be known of it.
+    SceneBody& body() const {
+        if (body_ == nullptr) unpack_alone();
+        return *body_;
+    }
+    void unpack_alone() const;
+    void unpack_into(SceneBody& room) const;
+    void pack() const;
 
-    SceneBody body_;
     double motor_frequency_;
+    SceneSize size_;
     Environment environment_;
     std::unique_ptr<StepWorkspace> workspace_;
     std::unique_ptr<Mark> mark_;
+    // The body is in the workspace, in a room of another one, or in memory of its own. Otherwise it
+    // is packed; whoever asks for something then unpacks it without a change.
+    mutable SceneBody* body_ = nullptr;
+    mutable std::unique_ptr<SceneBody> own_;
+    mutable PackedBody packed_;
+    mutable bool is_stale_ = false;  // whether its cache is not that of its packed motion
 };
+
+void PlanarScene::pack() const {
+    packed_.pack(*body_);
+    body_ = nullptr;
+    own_.reset();
+}
+
+void PlanarScene::unpack_into(SceneBody& room) const {
+    packed_.unpack(room);
+    body_ = &room;
+    if (!std::exchange(is_stale_, false)) return;
+    evaluate_here();
+    body_->state.cache_is_current = false;
+}
+
+void PlanarScene::unpack_alone() const {
+    own_ = std::make_unique<SceneBody>();
+    unpack_into(*own_);
+}
+
+SceneBody& PlanarScene::open(SceneBody& room) {
+    if (body_ == nullptr) unpack_into(room);
+    return *body_;
+}
+
+void PlanarScene::close() {
+    if (!workspace_) pack();
+}
 
 Vec2 PlanarScene::arm_of(std::size_t part, double x, double y) const {
     const int b = body_of(part);
-    const Kinematics& k = body_.state.cache().kinematics;
-    const double body_x = body_.model.part_x[part] + body_.model.part_cosine[part] * x -
-                          body_.model.part_sine[part] * y;
-    const double body_y = body_.model.part_y[part] + body_.model.part_sine[part] * x +
-                          body_.model.part_cosine[part] * y;
+    const Kinematics& k = body().state.cache().kinematics;
+    const double body_x = body().model.part_x[part] + body().model.part_cosine[part] * x -
+                          body().model.part_sine[part] * y;
+    const double body_y = body().model.part_y[part] + body().model.part_sine[part] * x +
+                          body().model.part_cosine[part] * y;
     const Simd2d arm = material_arm(k, b, body_x, body_y);
     return {arm[0], arm[1]};
 }
 
 Vec3 PlanarScene::mean_of_trees(const PerCoordinate& coordinates) const {
     Vec3 mean = Vec3::Zero();
-    for (int t = 0; t < body_.model.tree_count; ++t) {
-        const int center = center_of(body_.model, t);
-        const double share = body_.model.tree_mass[t] / body_.model.total_mass;
+    for (int t = 0; t < body().model.tree_count; ++t) {
+        const int center = center_of(body().model, t);
+        const double share = body().model.tree_mass[t] / body().model.total_mass;
         mean += share * Vec3(coordinates[center], coordinates[center + 1], 0.0);
     }
     return mean;
@@ -189,28 +233,28 @@ Vec3 PlanarScene::mean_of_trees(const PerCoordinate& coordinates) const {
 Pose PlanarScene::part_pose(std::size_t part) const {
     const Vec3 center = part_center(part);
     const double angle =
-        body_.state.cache().kinematics.angle[body_of(part)] + body_.model.part_angle[part];
+        body().state.cache().kinematics.angle[body_of(part)] + body().model.part_angle[part];
     return planar_pose(center.x(), center.y(), angle);
 }
 
 Vec3 PlanarScene::part_center(std::size_t part) const {
     const int b = body_of(part);
-    const Kinematics& k = body_.state.cache().kinematics;
+    const Kinematics& k = body().state.cache().kinematics;
     const Vec2 arm = arm_of(part, 0.0, 0.0);
     return {k.x[b] + arm.x(), k.y[b] + arm.y(), 0.0};
 }
 
 Vec3 PlanarScene::part_axis(std::size_t part) const {
     const int b = body_of(part);
-    const Kinematics& k = body_.state.cache().kinematics;
-    const double cosine = body_.model.part_cosine[part];
-    const double sine = body_.model.part_sine[part];
+    const Kinematics& k = body().state.cache().kinematics;
+    const double cosine = body().model.part_cosine[part];
+    const double sine = body().model.part_sine[part];
     return {k.cosine[b] * cosine - k.sine[b] * sine, k.sine[b] * cosine + k.cosine[b] * sine, 0.0};
 }
 
 Twist PlanarScene::part_twist(std::size_t part) const {
     const int b = body_of(part);
-    const Kinematics& k = body_.state.cache().kinematics;
+    const Kinematics& k = body().state.cache().kinematics;
     const Vec2 arm = arm_of(part, 0.0, 0.0);
     return {Vec3(k.velocity_x[b] - k.spin[b] * arm.y(), k.velocity_y[b] + k.spin[b] * arm.x(), 0.0),
             Vec3(0.0, 0.0, k.spin[b])};
@@ -219,67 +263,67 @@ Twist PlanarScene::part_twist(std::size_t part) const {
 double PlanarScene::joint_coordinate(std::size_t part) const {
     const int joint = joint_of(part);
     if (joint < 0) return 0.0;
-    return body_.state.cache().kinematics.joint_position[joint];
+    return body().state.cache().kinematics.joint_position[joint];
 }
 
 double PlanarScene::joint_rate(std::size_t part) const {
     const int joint = joint_of(part);
     if (joint < 0) return 0.0;
-    return body_.state.cache().kinematics.joint_rate[joint];
+    return body().state.cache().kinematics.joint_rate[joint];
 }
 
 double PlanarScene::joint_effort(std::size_t part) const {
     const int joint = joint_of(part);
-    return joint < 0 ? 0.0 : body_.state.cache().motor_effort[joint];
+    return joint < 0 ? 0.0 : body().state.cache().motor_effort[joint];
 }
 
 double PlanarScene::stretch(std::size_t part) const {
     const int slot = stretch_of(part);
-    return slot < 0 ? 0.0 : body_.state.cache().kinematics.joint_position[slot];
+    return slot < 0 ? 0.0 : body().state.cache().kinematics.joint_position[slot];
 }
 
 double PlanarScene::stretch_rate(std::size_t part) const {
     const int slot = stretch_of(part);
-    return slot < 0 ? 0.0 : body_.state.cache().kinematics.joint_rate[slot];
+    return slot < 0 ? 0.0 : body().state.cache().kinematics.joint_rate[slot];
 }
 
 double PlanarScene::stretch_effort(std::size_t part) const {
     const int slot = stretch_of(part);
-    return slot < 0 ? 0.0 : body_.state.cache().motor_effort[slot];
+    return slot < 0 ? 0.0 : body().state.cache().motor_effort[slot];
 }
 
 Vec3 PlanarScene::part_half_extents(std::size_t part) const {
     const int b = body_of(part);
-    Vec3 rest(body_.model.half_length[part], body_.model.half_width[part], 0.0);
-    if (body_.model.stretch_slot[b] < 0) return rest;
-    const Kinematics& k = body_.state.cache().kinematics;
+    Vec3 rest(body().model.half_length[part], body().model.half_width[part], 0.0);
+    if (body().model.stretch_slot[b] < 0) return rest;
+    const Kinematics& k = body().state.cache().kinematics;
     return {k.length_growth[b] * rest.x(), k.width_growth[b] * rest.y(), 0.0};
 }
 
 bool PlanarScene::face_touched(std::size_t part, Face face) const {
     CAMBRIAN_ASSERT(part < part_count(), "part index in range");
-    return ((body_.state.touched[part] >> static_cast<unsigned>(face)) & 1U) != 0;
+    return ((body().state.touched[part] >> static_cast<unsigned>(face)) & 1U) != 0;
 }
 
 Vec3 PlanarScene::part_specific_force(std::size_t part) const {
     CAMBRIAN_ASSERT(part < part_count(), "part index in range");
-    return {body_.state.forces.specific_x[part], body_.state.forces.specific_y[part], 0.0};
+    return {body().state.forces.specific_x[part], body().state.forces.specific_y[part], 0.0};
 }
 
 double PlanarScene::part_load(std::size_t part) const {
     CAMBRIAN_ASSERT(part < part_count(), "part index in range");
-    return body_.state.forces.load[part];
+    return body().state.forces.load[part];
 }
 
 Bounds PlanarScene::bounds() const {
-    const Kinematics& k = body_.state.cache().kinematics;
+    const Kinematics& k = body().state.cache().kinematics;
     Simd4d low_x = all_lanes(std::numeric_limits<double>::infinity());
     Simd4d low_y = low_x;
     Simd4d high_x = -low_x;
     Simd4d high_y = -low_y;
-    for (int part = 0; part < body_.model.part_count; ++part) {
-        const int b = body_.model.part_body[part];
-        const Corners corners = corners_of(body_.model, k, part);
+    for (int part = 0; part < body().model.part_count; ++part) {
+        const int b = body().model.part_body[part];
+        const Corners corners = corners_of(body().model, k, part);
         const Simd4d x = k.x[b] + (k.cosine[b] * corners.x - k.sine[b] * corners.y);
         const Simd4d y = heights_of(corners, k, b);
         low_x = lesser(x, low_x);
@@ -292,11 +336,11 @@ Bounds PlanarScene::bounds() const {
 }
 
 double PlanarScene::lowest_point() const {
-    const Kinematics& k = body_.state.cache().kinematics;
+    const Kinematics& k = body().state.cache().kinematics;
     Simd4d low = all_lanes(std::numeric_limits<double>::infinity());
-    for (int part = 0; part < body_.model.part_count; ++part) {
-        const Corners corners = corners_of(body_.model, k, part);
-        low = lesser(heights_of(corners, k, body_.model.part_body[part]), low);
+    for (int part = 0; part < body().model.part_count; ++part) {
+        const Corners corners = corners_of(body().model, k, part);
+        low = lesser(heights_of(corners, k, body().model.part_body[part]), low);
     }
     return -largest_of(-low);
 }
@@ -312,20 +356,20 @@ void PlanarScene::set_stretch_target(std::size_t part, double target) {
 void PlanarScene::set_slot_target(int slot, double target) {
     if (slot < 0) return;
     if (!std::isfinite(target)) target = 0.0;
-    if (body_.model.motor_mode[slot] == MotorMode::kPosition)
-        target = std::clamp(target, body_.model.limit_low[slot], body_.model.limit_high[slot]);
-    body_.state.drive_end[slot] = target;
+    if (body().model.motor_mode[slot] == MotorMode::kPosition)
+        target = std::clamp(target, body().model.limit_low[slot], body().model.limit_high[slot]);
+    body().state.drive_end[slot] = target;
 }
 
 double PlanarScene::target(std::size_t part) const {
     const int joint = joint_of(part);
-    return joint < 0 ? 0.0 : body_.state.drive_end[joint];
+    return joint < 0 ? 0.0 : body().state.drive_end[joint];
 }
 
 double PlanarScene::largest_target_change() const {
-    const MotorDrive& drive = body_.forcing.drive;
+    const MotorDrive& drive = body().forcing.drive;
     Simd4d largest = {};
-    for (int i = 0; i < body_.model.body_count; i += kLanes)
+    for (int i = 0; i < body().model.body_count; i += kLanes)
         largest =
             greater(magnitude(load_lanes(drive.end + i) - load_lanes(drive.start + i)), largest);
     return largest_of(largest);
@@ -333,123 +377,146 @@ double PlanarScene::largest_target_change() const {
 
 SceneStatus PlanarScene::advance(double duration) {
     CAMBRIAN_ASSERT(duration > 0.0, "a tick takes time");
-    if (body_.state.status != SceneStatus::kRunning) return body_.state.status;
-    begin_tick(body_);
-    workspace_->control.advance(body_.model, body_.law, body_.forcing, duration, body_.state);
-    end_tick(body_);
-    return body_.state.status;
+    if (body().state.status != SceneStatus::kRunning) return body().state.status;
+    begin_tick(*body_);
+    workspace_->control.advance(body().model, body().law, body().forcing, duration, body().state);
+    end_tick(*body_);
+    return body().state.status;
 }
 
 void PlanarScene::use_environment(const Environment& environment) {
     environment_ = environment;
-    if (environment.density != body_.model.density)
-        change_density(body_.model, environment.density);
-    body_.forcing.medium = medium_of(environment);
-    body_.law = {body_.motors_off ? 0.0 : environment.friction, environment.elasticity,
-                 environment.has_ground, body_.law.fixed};
-    body_.state.cache_is_current = false;
+    if (environment.density != body().model.density) {
+        change_density(body().model, environment.density);
+        packed_.forget_model();
+    }
+    body().forcing.medium = medium_of(environment);
+    body().law = {body().motors_off ? 0.0 : environment.friction, environment.elasticity,
+                  environment.has_ground, body().law.fixed};
+    body().state.cache_is_current = false;
 }
 
 // Updates the cache for displays; time does not pass.
-void PlanarScene::evaluate_here() {
-    body_.forcing.held = nullptr;
-    evaluate_accelerations(body_.model, body_.forcing, body_.state.motion, {}, body_.state.cache(),
-                           body_.state.free_rate);
+void PlanarScene::evaluate_here() const {
+    body().forcing.held = nullptr;
+    evaluate_accelerations(body().model, body().forcing, body().state.motion, {},
+                           body().state.cache(), body().state.free_rate);
 }
 
 void PlanarScene::set_environment(const Environment& environment) {
     const double before = energy();
     use_environment(environment);
-    body_.state.energy_reference += energy() - before;
+    body().state.energy_reference += energy() - before;
 }
 
 void PlanarScene::set_fixed_boxes(std::span<const FixedBox> boxes) {
-    body_.law.fixed = boxes;
-    body_.state.detection = 0;
+    if (body_ == nullptr) {
+        packed_.law().fixed = boxes;
+        return;
+    }
+    body_->law.fixed = boxes;
+    body_->state.detection = 0;
 }
 
 // With frequency 0 targets and rates cause no effort. The share of the strength in torque mode is 0
 // while the motors are off.
 void PlanarScene::set_motors_off(bool off) {
-    body_.motors_off = off;
-    body_.forcing.drive.frequency = off ? 0.0 : motor_frequency_;
+    body().motors_off = off;
+    body().forcing.drive.frequency = off ? 0.0 : motor_frequency_;
     use_environment(environment_);
 }
 
 void PlanarScene::translate(const Vec3& offset) {
     const double before = energy();
-    for (int t = 0; t < body_.model.tree_count; ++t) {
-        body_.state.motion.position[center_of(body_.model, t)] += offset.x();
-        body_.state.motion.position[center_of(body_.model, t) + 1] += offset.y();
+    for (int t = 0; t < body().model.tree_count; ++t) {
+        body().state.motion.position[center_of(body().model, t)] += offset.x();
+        body().state.motion.position[center_of(body().model, t) + 1] += offset.y();
     }
     evaluate_here();
-    body_.state.cache_is_current = false;
-    body_.state.energy_reference += energy() - before;
+    body().state.cache_is_current = false;
+    body().state.energy_reference += energy() - before;
 }
 
 void PlanarScene::pull(std::size_t part, const Vec3& point_in_part, const Vec3& force) {
     const Vec3 present = part_half_extents(part);
-    const double x = point_in_part.x() * (body_.model.half_length[part] / present.x());
-    const double y = point_in_part.y() * (body_.model.half_width[part] / present.y());
-    if (body_.forcing.pulls.size() == kMostPulls) return;
-    HeldForce& pull = body_.forcing.pulls.emplace_back();
+    const double x = point_in_part.x() * (body().model.half_length[part] / present.x());
+    const double y = point_in_part.y() * (body().model.half_width[part] / present.y());
+    if (body().forcing.pulls.size() == kMostPulls) return;
+    HeldForce& pull = body().forcing.pulls.emplace_back();
     pull.body_a = body_of(part);
     pull.body_b = -1;
-    pull.point_x = body_.model.part_x[part] + body_.model.part_cosine[part] * x -
-                   body_.model.part_sine[part] * y;
-    pull.point_y = body_.model.part_y[part] + body_.model.part_sine[part] * x +
-                   body_.model.part_cosine[part] * y;
+    pull.point_x = body().model.part_x[part] + body().model.part_cosine[part] * x -
+                   body().model.part_sine[part] * y;
+    pull.point_y = body().model.part_y[part] + body().model.part_sine[part] * x +
+                   body().model.part_cosine[part] * y;
     pull.force_x = force.x();
     pull.force_y = force.y();
-    body_.state.cache_is_current = false;
+    body().state.cache_is_current = false;
 }
 
 void PlanarScene::mark() {
     if (!mark_) mark_ = std::make_unique<Mark>();
-    mark_->moment = static_cast<const SceneMoment&>(body_.state);
-    mark_->pulls = body_.forcing.pulls;
+    if (body_ == nullptr)
+        mark_->moment = packed_.moment();
+    else
+        pack_moment(*body_, mark_->moment);
+    mark_->pulls = body_ == nullptr ? packed_.pulls() : body_->forcing.pulls;
 }
 
 void PlanarScene::go_back() {
     CAMBRIAN_ASSERT(mark_ != nullptr, "a marked moment");
-    static_cast<SceneMoment&>(body_.state) = mark_->moment;
-    body_.forcing.pulls.clear();
+    if (body_ == nullptr) {
+        packed_.moment() = mark_->moment;
+        packed_.pulls() = mark_->pulls;
+        is_stale_ = true;
+        return;
+    }
+    unpack_moment(mark_->moment, *body_);
+    body_->forcing.pulls.clear();
     evaluate_here();
-    body_.state.cache_is_current = false;
-    body_.state.detection = 0;
-    body_.forcing.pulls = mark_->pulls;
+    body_->state.cache_is_current = false;
+    body_->state.detection = 0;
+    body_->forcing.pulls = mark_->pulls;
 }
 
 void PlanarScene::restore(const SceneState& state) {
     const auto* saved = dynamic_cast<const SavedState*>(&state);
     CAMBRIAN_ASSERT(saved != nullptr, "a state saved by a planar scene");
-    body_.state = saved->state;
-    body_.state.detection = 0;  // numbers of detections differ between scenes
-    body_.forcing.pulls.clear();
-    if (saved->environment == environment_ && saved->motors_off == body_.motors_off) return;
-    body_.state.cache_is_current = false;
-    body_.state.energy_reference += energy() - energy_under(saved->environment);
+    body().state = saved->state;
+    body().state.detection = 0;  // numbers of detections differ between scenes
+    body().forcing.pulls.clear();
+    if (saved->environment == environment_ && saved->motors_off == body().motors_off) return;
+    body().state.cache_is_current = false;
+    body().state.energy_reference += energy() - energy_under(saved->environment);
 }
 
 void PlanarScene::give_workspace(std::unique_ptr<SceneWorkspace> workspace) {
     CAMBRIAN_ASSERT(dynamic_cast<StepWorkspace*>(workspace.get()) != nullptr,
                     "a workspace of a planar scene");
+    if (body_ != nullptr) pack();
     workspace_.reset(static_cast<StepWorkspace*>(workspace.release()));
-    workspace_->control.change_model(body_.model);
-    body_.state.detection = 0;  // numbers of detections differ between workspaces
+    unpack_into(workspace_->room(0));
+    workspace_->control.change_model(body_->model);
+    body_->state.detection = 0;  // numbers of detections differ between workspaces
+}
+
+std::unique_ptr<SceneWorkspace> PlanarScene::take_workspace() {
+    if (body_ != nullptr) pack();
+    return std::move(workspace_);
 }
 
 SceneMotion PlanarScene::motion() const {
-    const auto count = static_cast<std::size_t>(coordinate_count(body_.model));
-    const auto bodies = static_cast<std::size_t>(body_.model.body_count);
-    return {{body_.state.motion.position, body_.state.motion.position + count},
-            {body_.state.motion.speed, body_.state.motion.speed + count},
-            {body_.state.drive_end, body_.state.drive_end + bodies}};
+    if (body_ == nullptr) return packed_.motion();
+    const auto count = static_cast<std::size_t>(coordinate_count(body_->model));
+    const auto bodies = static_cast<std::size_t>(size_.bodies);
+    return {{body_->state.motion.position, body_->state.motion.position + count},
+            {body_->state.motion.speed, body_->state.motion.speed + count},
+            {body_->state.drive_end, body_->state.drive_end + bodies}};
 }
 
 bool PlanarScene::begin_at(const SceneMotion& motion) {
-    const auto count = static_cast<std::size_t>(coordinate_count(body_.model));
-    const auto bodies = static_cast<std::size_t>(body_.model.body_count);
+    const auto count = static_cast<std::size_t>(coordinate_count(body().model));
+    const auto bodies = static_cast<std::size_t>(body().model.body_count);
     if (motion.positions.size() != count || motion.speeds.size() != count ||
         motion.targets.size() != bodies)
         return false;
@@ -459,30 +526,30 @@ bool PlanarScene::begin_at(const SceneMotion& motion) {
     };
     if (!finite(motion.positions) || !finite(motion.speeds) || !finite(motion.targets))
         return false;
-    body_.state = SimulationState{};
-    body_.state.motion = rest_motion(body_.model);
-    std::copy(motion.positions.begin(), motion.positions.end(), body_.state.motion.position);
-    std::copy(motion.speeds.begin(), motion.speeds.end(), body_.state.motion.speed);
-    std::copy(motion.targets.begin(), motion.targets.end(), body_.state.drive_start);
-    std::copy(motion.targets.begin(), motion.targets.end(), body_.state.drive_end);
-    body_.forcing.pulls.clear();
+    body().state = SimulationState{};
+    body().state.motion = rest_motion(body().model);
+    std::copy(motion.positions.begin(), motion.positions.end(), body().state.motion.position);
+    std::copy(motion.speeds.begin(), motion.speeds.end(), body().state.motion.speed);
+    std::copy(motion.targets.begin(), motion.targets.end(), body().state.drive_start);
+    std::copy(motion.targets.begin(), motion.targets.end(), body().state.drive_end);
+    body().forcing.pulls.clear();
     evaluate_here();
-    start_audit(body_.model, body_.forcing.medium, body_.state);
+    start_audit(body().model, body().forcing.medium, body().state);
     return true;
 }
 
 // Mechanical energy of the motion with another environment's density and gravity.
 double PlanarScene::energy_under(const Environment& environment) const {
-    const double here = mechanical_energy(body_.model, medium_of(environment), body_.state.motion,
-                                          body_.state.cache().kinematics);
-    return here * (environment.density / body_.model.density);
+    const double here = mechanical_energy(body().model, medium_of(environment), body().state.motion,
+                                          body().state.cache().kinematics);
+    return here * (environment.density / body().model.density);
 }
 
 void PlanarScene::list_contacts(std::vector<SceneContact>& contacts) const {
     contacts.clear();
-    const Kinematics& k = body_.state.cache().kinematics;
-    for (int c = 0; c < body_.state.held_count; ++c) {
-        const HeldContact& held = body_.state.held[c];
+    const Kinematics& k = body().state.cache().kinematics;
+    for (int c = 0; c < body().state.held_count; ++c) {
+        const HeldContact& held = body().state.held[c];
         const int a = held.body_a;
         double point_x = held.point_x;
         double point_y = held.point_y;
@@ -495,8 +562,8 @@ void PlanarScene::list_contacts(std::vector<SceneContact>& contacts) const {
 
 void PlanarScene::list_impacts(std::vector<SceneImpact>& impacts) const {
     impacts.clear();
-    for (int i = 0; i < body_.state.impact_count; ++i) {
-        const NotedImpact& noted = body_.state.impacts[i];
+    for (int i = 0; i < body().state.impact_count; ++i) {
+        const NotedImpact& noted = body().state.impacts[i];
         if (!(noted.impulse > 0.0)) continue;
         const Vec3 weighted(noted.point_x, noted.point_y, 0.0);
         impacts.push_back({weighted / noted.impulse, noted.part_a, noted.part_b, noted.impulse});
@@ -504,9 +571,9 @@ void PlanarScene::list_impacts(std::vector<SceneImpact>& impacts) const {
 }
 
 void PlanarScene::add_to_digest(Hash64& digest) const {
-    for (int c = 0; c < coordinate_count(body_.model); ++c) {
-        digest.add(body_.state.motion.position[c]);
-        digest.add(body_.state.motion.speed[c]);
+    for (int c = 0; c < coordinate_count(body().model); ++c) {
+        digest.add(body().state.motion.position[c]);
+        digest.add(body().state.motion.speed[c]);
     }
 }
 

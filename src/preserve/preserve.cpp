@@ -210,6 +210,7 @@ void Preserve::settle(std::unique_ptr<Resident> resident) {
 
 void Preserve::take_in(std::unique_ptr<Resident> resident) {
     resident->scene().set_fixed_boxes(walls_.boxes());
+    resident->settle();
     residents_.push_back(std::move(resident));
 }
 
@@ -343,16 +344,17 @@ void Preserve::live(ThreadPool& pool) {
 }
 
 void Preserve::move_solid(ThreadPool& pool) {
-    std::vector<SolidBody> bodies(residents_.size());
-    pool.parallel_for(residents_.size(), [&](std::size_t index, std::size_t) {
-        Resident& resident = *residents_[index];
-        resident.act(area_);
-        bodies[index] = {resident.life.number, &resident.scene(), kPullsOfWalls};
-    });
-    solid_->advance(bodies, kBrainTick, workspaces_, pool);
-    pool.parallel_for(residents_.size(), [&](std::size_t index, std::size_t) {
-        residents_[index]->end_tick(bodies[index].status);
-    });
+    std::vector<SolidBody> bodies;
+    for (const auto& each : residents_)
+        bodies.push_back({.number = each->life.number,
+                          .scene = &each->scene(),
+                          .bounds = each->bounds(),
+                          .fastest = each->fastest(),
+                          .pulls = kPullsOfWalls});
+    const SolidActs acts{
+        .begin = [&](std::size_t index) { residents_[index]->act(area_); },
+        .end = [&](std::size_t index) { residents_[index]->end_tick(bodies[index].status); }};
+    solid_->advance(bodies, kBrainTick, acts, workspaces_, pool);
 }
 
 void Preserve::make_workspaces(std::size_t workers) {

@@ -1,6 +1,7 @@
 #include "preserve/bodies/solid_bodies.h"
 
 #include "core/random.h"
+#include "preserve/world/fastest_point.h"
 #include "support/body_plans.h"
 #include "support/catch.h"
 #include "support/kinds.h"
@@ -28,11 +29,18 @@ public:
         REQUIRE((*scene)->begin_at(motion));
         auto workspace = (*scene)->take_workspace();
         if (workspaces_.size() < pool_.workers()) workspaces_.push_back(std::move(workspace));
-        bodies_.push_back({bodies_.size() + 1, scene->get()});
+        bodies_.push_back({.number = bodies_.size() + 1, .scene = scene->get()});
         scenes_.push_back(std::move(*scene));
         return *scenes_.back();
     }
-    void tick() { solid_.advance(bodies_, kTestTick, workspaces_, pool_); }
+    void tick() {
+        for (SolidBody& body : bodies_) {
+            body.bounds = body.scene->bounds();
+            body.fastest = fastest_point(*body.scene);
+        }
+        const auto nothing = [](std::size_t) {};
+        solid_.advance(bodies_, kTestTick, {nothing, nothing}, workspaces_, pool_);
+    }
 
     // Returns the pairs of overlapping bodies that were neither joined nor crowded.
     int missed() const {

@@ -1,6 +1,7 @@
 #include "dynamics/island/joined_model.h"
 
 #include "core/assert.h"
+#include "dynamics/island/model_fields.h"
 #include "dynamics/model/forcing.h"
 
 #include <algorithm>
@@ -8,40 +9,6 @@
 
 namespace cambrian {
 namespace {
-
-using M = PlanarModel;
-
-constexpr PerBody M::*kBodyNumbers[] = {&M::mass,
-                                        &M::inertia,
-                                        &M::inverse_mass,
-                                        &M::inverse_inertia,
-                                        &M::parent_anchor_x,
-                                        &M::parent_anchor_y,
-                                        &M::child_anchor_x,
-                                        &M::child_anchor_y,
-                                        &M::pivot_x,
-                                        &M::pivot_y,
-                                        &M::reach_x,
-                                        &M::reach_y,
-                                        &M::pivot_inertia,
-                                        &M::rest_angle,
-                                        &M::axis_x,
-                                        &M::axis_y,
-                                        &M::limit_low,
-                                        &M::limit_high,
-                                        &M::slides,
-                                        &M::max_effort,
-                                        &M::effective_inertia,
-                                        &M::length_square,
-                                        &M::width_square};
-constexpr PerBody MotorLaw::*kMotorNumbers[] = {
-    &MotorLaw::tracking,  &MotorLaw::direct,   &MotorLaw::rate_scale, &MotorLaw::rate_floor,
-    &MotorLaw::stiffness, &MotorLaw::strength, &MotorLaw::damping};
-constexpr PerPart M::*kPartNumbers[] = {&M::part_x,      &M::part_y,    &M::part_angle,
-                                        &M::part_cosine, &M::part_sine, &M::half_length,
-                                        &M::half_width,  &M::radius};
-constexpr PerTree M::*kTreeNumbers[] = {&M::tree_mass, &M::rest_center_x, &M::rest_center_y,
-                                        &M::rest_root_angle};
 
 // An index of the member becomes one of all; -1 stays.
 int moved(int index, int begin) {
@@ -53,10 +20,7 @@ public:
     ModelJoiner() {
         joined_.contact_count = kMaxContacts;
         joined_.member_count = 0;
-        for (int slot = 0; slot < kMaxBodies; ++slot) {
-            joined_.parent_slot[slot] = slot;
-            joined_.stretch_slot[slot] = -1;
-        }
+        clear_slots(joined_, 0);
     }
 
     void add(const PlanarModel& member) {

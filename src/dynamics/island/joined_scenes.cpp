@@ -2,6 +2,7 @@
 
 #include "core/assert.h"
 #include "dynamics/island/joined_model.h"
+#include "dynamics/island/packed_body.h"
 #include "dynamics/island/scene_body.h"
 #include "dynamics/stepping/audit.h"
 
@@ -17,29 +18,24 @@ struct Offset {
     int body = 0, tree = 0, part = 0;
 };
 
-SceneBody& body_of(PhysicsScene& scene) {
-    auto* body_scene = dynamic_cast<BodyScene*>(&scene);
-    CAMBRIAN_ASSERT(body_scene != nullptr, "a scene of an articulated body");
-    return body_scene->body();
+BodyScene& body_scene(PhysicsScene& scene) {
+    auto* found = dynamic_cast<BodyScene*>(&scene);
+    CAMBRIAN_ASSERT(found != nullptr, "a scene of an articulated body");
+    return *found;
 }
 
-PlanarModel join(std::span<PhysicsScene* const> scenes) {
-    std::vector<const PlanarModel*> models;
-    for (PhysicsScene* scene : scenes)
-        models.push_back(&body_of(*scene).model);
-    return join_models(models);
-}
+using Members = std::vector<SceneBody*>;
 
 class JoinedBodies final : public JoinedScenes {
 public:
-    explicit JoinedBodies(std::span<PhysicsScene* const> scenes) : all_(join(scenes)) {
+    explicit JoinedBodies(std::span<PhysicsScene* const> scenes) : offsets_(scenes.size()) {
         Offset end;
-        for (PhysicsScene* scene : scenes) {
-            const PlanarModel& model = body_of(*scene).model;
-            offsets_.push_back(end);
-            end.body += model.body_count;
-            end.tree += model.tree_count;
-            end.part += model.part_count;
+        for (std::size_t i = 0; i < scenes.size(); ++i) {
+            offsets_[i] = end;
+            const SceneSize size = scenes[i]->size();
+            end.body += size.bodies;
+            end.tree += size.trees;
+            end.part += size.parts;
         }
     }
 
@@ -47,7 +43,9 @@ public:
                         SceneWorkspace& workspace) override;
 
 private:
-    void gather(std::span<PhysicsScene* const> scenes);
+    void begin(const Members& members);
+    SceneStatus move(const Members& members, double duration, StepControl& control);
+    void gather(const Members& members);
     bool follows(const SceneBody& member, const Offset& offset) const;
     template <class From, class To, class Visit>
     void visit_coordinates(From& from, To& to, const SceneBody& member, const Offset& offset,
@@ -64,7 +62,8 @@ private:
     double share() const { return 1.0 / static_cast<double>(offsets_.size()); }
 
     std::vector<Offset> offsets_;
-    SceneBody all_;
+    PackedBody packed_;
+    SceneBody* all_ = nullptr;  // in the workspace of the present tick
     bool is_new_ = true;
 };
 
@@ -73,52 +72,77 @@ SceneStatus JoinedBodies::advance(std::span<PhysicsScene* const> scenes, double 
     CAMBRIAN_ASSERT(scenes.size() == offsets_.size(), "the scenes that were joined");
     auto* steps = dynamic_cast<StepWorkspace*>(&workspace);
     CAMBRIAN_ASSERT(steps != nullptr, "a workspace of an articulated body");
-    gather(scenes);
-    SimulationState& state = all_.state;
+    Members members;
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+        members.push_back(&body_scene(*scenes[i]).open(steps->room(i)));
+    all_ = &steps->joined;
+    if (is_new_)
+        begin(members);
+    else
+        packed_.unpack(*all_);
+    const SceneStatus status = move(members, duration, steps->control);
+    for (PhysicsScene* scene : scenes)
+        body_scene(*scene).close();
+    packed_.pack(*all_);
+    is_new_ = false;
+    return status;
+}
+
+void JoinedBodies::begin(const Members& members) {
+    std::vector<const PlanarModel*> models;
+    for (const SceneBody* member : members)
+        models.push_back(&member->model);
+    all_->model = join_models(models);
+    all_->state = SimulationState{};
+    all_->forcing = Forcing{};
+}
+
+SceneStatus JoinedBodies::move(const Members& members, double duration, StepControl& control) {
+    gather(members);
+    SimulationState& state = all_->state;
     if (!state.cache_is_current) {
-        all_.forcing.held = nullptr;
-        evaluate_accelerations(all_.model, all_.forcing, state.motion, {}, state.cache(),
+        all_->forcing.held = nullptr;
+        evaluate_accelerations(all_->model, all_->forcing, state.motion, {}, state.cache(),
                                state.free_rate);
         state.cache_is_current = true;
     }
-    start_audit(all_.model, all_.forcing.medium, state);
+    start_audit(all_->model, all_->forcing.medium, state);
     std::fill(std::begin(state.member_work), std::end(state.member_work), MemberWork{});
-    steps->control.change_model(all_.model);
+    control.change_model(all_->model);
     state.detection = 0;
-    steps->control.advance(all_.model, all_.law, all_.forcing, duration, state);
+    control.advance(all_->model, all_->law, all_->forcing, duration, state);
     if (state.status != SceneStatus::kRunning) return state.status;
-    for (std::size_t i = 0; i < scenes.size(); ++i)
-        spread(duration, body_of(*scenes[i]), i);
-    end_tick(all_);
-    is_new_ = false;
+    for (std::size_t i = 0; i < members.size(); ++i)
+        spread(duration, *members[i], i);
+    end_tick(*all_);
     return state.status;
 }
 
 // Takes over what the members do in the next tick, and their motions unless they still follow.
-void JoinedBodies::gather(std::span<PhysicsScene* const> scenes) {
-    SceneBody& first = body_of(*scenes.front());
+void JoinedBodies::gather(const Members& members) {
+    const SceneBody& first = *members.front();
     bool follow = !is_new_;
-    for (std::size_t i = 0; follow && i < scenes.size(); ++i)
-        follow = follows(body_of(*scenes[i]), offsets_[i]);
+    for (std::size_t i = 0; follow && i < members.size(); ++i)
+        follow = follows(*members[i], offsets_[i]);
     if (!follow) {
-        static_cast<SceneMoment&>(all_.state) = SceneMoment{};
-        all_.state.has_last_acceleration = true;
-        all_.state.proposed_step = first.state.proposed_step;
-        all_.state.cache_is_current = false;
+        static_cast<SceneMoment&>(all_->state) = SceneMoment{};
+        all_->state.has_last_acceleration = true;
+        all_->state.proposed_step = first.state.proposed_step;
+        all_->state.cache_is_current = false;
     }
-    all_.law = first.law;
-    all_.forcing.medium = first.forcing.medium;
-    all_.forcing.drive.frequency = first.forcing.drive.frequency;
-    all_.forcing.drive.speed_limit = first.forcing.drive.speed_limit;
-    all_.forcing.pulls.clear();
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
-        SceneBody& member = body_of(*scenes[i]);
+    all_->law = first.law;
+    all_->forcing.medium = first.forcing.medium;
+    all_->forcing.drive.frequency = first.forcing.drive.frequency;
+    all_->forcing.drive.speed_limit = first.forcing.drive.speed_limit;
+    all_->forcing.pulls.clear();
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        SceneBody& member = *members[i];
         if (!follow) begin_anew(member, offsets_[i]);
         begin_tick(member);
         take_drive(member, offsets_[i]);
         take_pulls(member, offsets_[i]);
     }
-    if (!all_.forcing.pulls.empty()) all_.state.cache_is_current = false;
+    if (!all_->forcing.pulls.empty()) all_->state.cache_is_current = false;
 }
 
 // Calls visit(from, to, count) for the coordinates of a member's bodies and of its centres.
@@ -126,7 +150,7 @@ template <class From, class To, class Visit>
 void JoinedBodies::visit_coordinates(From& from, To& to, const SceneBody& member,
                                      const Offset& offset, const Visit& visit) const {
     visit(from, to + offset.body, member.model.body_count);
-    visit(from + member.model.body_count, to + center_of(all_.model, offset.tree),
+    visit(from + member.model.body_count, to + center_of(all_->model, offset.tree),
           2 * member.model.tree_count);
 }
 
@@ -137,14 +161,14 @@ bool JoinedBodies::follows(const SceneBody& member, const Offset& offset) const 
         same = same && std::equal(own, own + count, joined);
     };
     const Motion& own = member.state.motion;
-    const Motion& joined = all_.state.motion;
+    const Motion& joined = all_->state.motion;
     visit_coordinates(own.position, joined.position, member, offset, compare);
     visit_coordinates(own.speed, joined.speed, member, offset, compare);
     return same;
 }
 
 void JoinedBodies::begin_anew(const SceneBody& member, const Offset& offset) {
-    SimulationState& all = all_.state;
+    SimulationState& all = all_->state;
     const SimulationState& own = member.state;
     const int bodies = member.model.body_count;
     const int parts = member.model.part_count;
@@ -166,14 +190,14 @@ void JoinedBodies::begin_anew(const SceneBody& member, const Offset& offset) {
 void JoinedBodies::take_drive(const SceneBody& member, const Offset& offset) {
     const int bodies = member.model.body_count;
     const MotorDrive& drive = member.forcing.drive;
-    std::copy_n(drive.start, bodies, all_.forcing.drive.start + offset.body);
-    std::copy_n(drive.end, bodies, all_.forcing.drive.end + offset.body);
+    std::copy_n(drive.start, bodies, all_->forcing.drive.start + offset.body);
+    std::copy_n(drive.end, bodies, all_->forcing.drive.end + offset.body);
 }
 
 void JoinedBodies::take_pulls(const SceneBody& member, const Offset& offset) {
     for (const HeldForce& pull : member.forcing.pulls) {
-        all_.forcing.pulls.push_back(pull);
-        all_.forcing.pulls.back().body_a += offset.body;
+        all_->forcing.pulls.push_back(pull);
+        all_->forcing.pulls.back().body_a += offset.body;
     }
 }
 
@@ -197,7 +221,7 @@ void JoinedBodies::spread(double duration, SceneBody& member, std::size_t index)
 }
 
 void JoinedBodies::give_motion(SceneBody& member, const Offset& offset) const {
-    const SimulationState& all = all_.state;
+    const SimulationState& all = all_->state;
     SimulationState& own = member.state;
     const auto copy = [](double* to, const double* from, int count) {
         std::copy_n(from, count, to);
@@ -214,7 +238,7 @@ void JoinedBodies::give_motion(SceneBody& member, const Offset& offset) const {
 }
 
 void JoinedBodies::give_touches(SceneBody& member, const Offset& offset) const {
-    const SimulationState& all = all_.state;
+    const SimulationState& all = all_->state;
     SimulationState& own = member.state;
     const int parts = member.model.part_count;
     std::copy_n(all.touched + offset.part, parts, own.touched);
@@ -237,8 +261,8 @@ void JoinedBodies::give_impacts(SceneBody& member, const Offset& offset) const {
     const auto is_own = [&](int body) {
         return body >= offset.body && body < offset.body + member.model.body_count;
     };
-    for (int i = 0; i < all_.state.impact_count; ++i) {
-        NotedImpact noted = all_.state.impacts[i];
+    for (int i = 0; i < all_->state.impact_count; ++i) {
+        NotedImpact noted = all_->state.impacts[i];
         if (!is_own(noted.body_a)) {
             if (!is_own(noted.body_b)) continue;
             std::swap(noted.body_a, noted.body_b);
@@ -257,7 +281,7 @@ void JoinedBodies::give_impacts(SceneBody& member, const Offset& offset) const {
 // the work of all is shared in proportion. Other works are shared in equal parts: those of a
 // contact of two are split half and half.
 void JoinedBodies::give_works(SceneBody& member, std::size_t index) const {
-    const SimulationState& all = all_.state;
+    const SimulationState& all = all_->state;
     MemberWork sum;
     for (std::size_t i = 0; i < offsets_.size(); ++i) {
         sum.net += all.member_work[i].net;
@@ -278,7 +302,7 @@ void JoinedBodies::give_works(SceneBody& member, std::size_t index) const {
 }
 
 void JoinedBodies::give_audit(SceneBody& member) const {
-    const SceneAudit& all = all_.state.audit;
+    const SceneAudit& all = all_->state.audit;
     SceneAudit& own = member.state.audit;
     own.contact_work += share() * all.contact_work;
     own.limit_work += share() * all.limit_work;

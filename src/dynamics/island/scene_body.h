@@ -5,12 +5,14 @@
 #include "dynamics/stepping/step_control.h"
 #include "world/physics_scene.h"
 
-#include <utility>
+#include <cstddef>
+#include <memory>
+#include <vector>
 
 namespace cambrian {
 
 struct SceneBody {
-    explicit SceneBody(PlanarModel&& built) : model(std::move(built)) {}
+    SceneBody() { clear_slots(model, 0); }
 
     PlanarModel model;
     ContactLaw law;
@@ -26,13 +28,26 @@ void end_tick(SceneBody& body);
 
 class BodyScene : public PhysicsScene {
 public:
-    virtual SceneBody& body() = 0;
+    // Returns the body, which is brought into `room` if it has been packed. It is packed again by
+    // close(), which must be called before anything else is done with the scene.
+    virtual SceneBody& open(SceneBody& room) = 0;
+    virtual void close() = 0;
 };
 
+// The memory of a step, and room for the bodies that take it.
 struct StepWorkspace final : SceneWorkspace {
     StepWorkspace(const IntegratorKind& integrator, const SceneSettings& settings)
         : control(integrator, settings) {}
+
+    SceneBody& room(std::size_t index) {
+        while (rooms.size() <= index)
+            rooms.push_back(std::make_unique<SceneBody>());
+        return *rooms[index];
+    }
+
     StepControl control;
+    std::vector<std::unique_ptr<SceneBody>> rooms;
+    SceneBody joined;  // of several scenes that are advanced as one
 };
 
 }  // namespace cambrian

@@ -137,6 +137,14 @@ struct PlanarModel {
     }
 };
 
+// Sets the slots from one on as those of no body.
+inline void clear_slots(PlanarModel& model, int first) {
+    for (int slot = first; slot < kMaxBodies; ++slot) {
+        model.parent_slot[slot] = slot;
+        model.stretch_slot[slot] = -1;
+    }
+}
+
 // Whether every body is one box and every slot is a body.
 inline bool has_single_boxes(const PlanarModel& model) {
     return model.part_count == model.body_count && model.stretch_count == 0;

@@ -2,6 +2,7 @@
 
 #include "dynamics/articulated/paired_impulses.h"
 #include "dynamics/constraints/invariants.h"
+#include "dynamics/evaluation/cache_numbers.h"
 #include "dynamics/evaluation/dense_response.h"
 
 #include <cmath>
@@ -56,6 +57,15 @@ CAMBRIAN_INLINE void add_jumps(const PlanarModel& model, const PerCoordinate (&j
 }
 
 }  // namespace
+
+void MidpointStep::clear_beyond(const ChangedCounts& counts) {
+    Clearing clearing;
+    visit_motion(predicted_, counts, clearing);
+    visit_cache(middle_, counts, clearing);
+    visit_rate(middle_rate_, counts, clearing);
+    visit_response(held_, counts, clearing);
+    visit_rate(mean_rate_, counts, clearing);
+}
 
 bool MidpointStep::attempt(const MotionSystem& system, const ContactLaw& law,
                            const MidpointRequest& request, ContactSolver& contacts, WarmStart& warm,

@@ -11,6 +11,7 @@
 // Differential Equations I, II.1.)
 
 #include "dynamics/constraints/contact_solver.h"
+#include "dynamics/evaluation/number_counts.h"
 #include "dynamics/stepping/integrator.h"
 
 namespace cambrian {
@@ -31,6 +32,9 @@ public:
     bool attempt(const MotionSystem& system, const ContactLaw& law, const MidpointRequest& request,
                  ContactSolver& contacts, WarmStart& warm, EvaluationCache& cache,
                  StepResult& result);
+
+    // Sets what an earlier model used beyond the counts to 0.
+    void clear_beyond(const ChangedCounts& counts);
 
     // Returns accelerations and mean powers of the step attempted last.
     const MotionRate& mean_rate() const { return mean_rate_; }

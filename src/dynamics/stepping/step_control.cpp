@@ -2,6 +2,7 @@
 
 #include "dynamics/articulated/loop_closure.h"
 #include "dynamics/constraints/invariants.h"
+#include "dynamics/evaluation/cache_numbers.h"
 #include "dynamics/stepping/audit.h"
 #include "dynamics/stepping/dense_output.h"
 #include "dynamics/stepping/time_of_impact.h"
@@ -79,8 +80,7 @@ void note_impact(const PlanarModel& model, const Kinematics& kinematics, const C
 }
 
 ComputedParts parts_computed_of(const PlanarModel& model) {
-    return {.bodies = model.body_count,
-            .trees = model.tree_count,
+    return {.counts = counts_of(model),
             .dense_blocks = model.dense.blocks,
             .has_slides = model.has_slides,
             .has_stretches = model.stretch_count > 0,
@@ -114,17 +114,36 @@ StepControl::StepControl(const IntegratorKind& integrator, const SceneSettings& 
     CAMBRIAN_TICK_ASSERT(underflow_step_ > 0.0, "a step to give up at");
 }
 
-// What a model does not compute must be 0, as in the memory of a scene of its own.
+// What a model does not compute must be 0, as in the memory of a scene of its own. Where the same
+// is computed of more or fewer bodies, most of it is 0 already.
 void StepControl::change_model(const PlanarModel& model) {
     contacts_.forget_model();
     const ComputedParts next = parts_computed_of(model);
-    if (!next.covers(computed_)) {
-        set_to_zero(midpoint_);
-        set_to_zero(spare_.get());
-        set_to_zero(held_rate_);
-        set_to_zero(result_);
+    if (next == computed_) return;
+    if (next.is_alike(computed_)) {
+        ChangedCounts counts{next.counts, lanes_of(computed_.counts)};
+        if (next.dense_blocks != computed_.dense_blocks) counts.now.dense_matrix = 0;
+        clear_beyond(counts);
+    } else {
+        clear_all();
     }
     computed_ = next;
+}
+
+void StepControl::clear_all() {
+    set_to_zero(midpoint_);
+    set_to_zero(spare_.get());
+    set_to_zero(held_rate_);
+    set_to_zero(result_);
+}
+
+void StepControl::clear_beyond(const ChangedCounts& counts) {
+    Clearing clearing;
+    midpoint_.clear_beyond(counts);
+    visit_cache(spare_.get(), counts, clearing);
+    visit_rate(held_rate_, counts, clearing);
+    visit_motion(result_.end, counts, clearing);
+    visit_rate(result_.end_rate, counts, clearing);
 }
 
 void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forcing& forcing,

@@ -94,13 +94,14 @@ struct SolverTally {
 
 // What decides which numbers of a cache are computed.
 struct ComputedParts {
-    int bodies = 0, trees = 0, dense_blocks = 0;
+    NumberCounts counts;
+    int dense_blocks = 0;
     bool has_slides = false, has_stretches = false, has_loops = false;
 
-    // Whether everything is computed that another model computes.
-    bool covers(const ComputedParts& other) const {
-        return bodies >= other.bodies && trees >= other.trees &&
-               dense_blocks == other.dense_blocks && has_slides == other.has_slides &&
+    friend bool operator==(const ComputedParts&, const ComputedParts&) = default;
+    // Whether the same numbers are computed of each body as of another model's.
+    bool is_alike(const ComputedParts& other) const {
+        return (dense_blocks > 0) == (other.dense_blocks > 0) && has_slides == other.has_slides &&
                has_stretches == other.has_stretches && has_loops == other.has_loops;
     }
 };
@@ -131,6 +132,8 @@ private:
         int underflows = 0;     // in a row
         bool detected = false;  // contacts_ has detected the contacts of the present state
     };
+    void clear_all();
+    void clear_beyond(const ChangedCounts& counts);
     enum class Attempt { kAccepted, kUnderflow, kDiverged, kOverBudget };
 
     SceneStatus step(Tick& tick);

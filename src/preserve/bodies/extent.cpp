@@ -7,8 +7,6 @@
 namespace cambrian {
 namespace {
 
-constexpr double kMostSpeed = 200.0;  // m/s
-
 // Returns the distance along the axis of either on which the two are farthest apart.
 double gap_along_axes(const Rectangle& a, const Rectangle& b) {
     const Vec3 apart = b.center - a.center;
@@ -21,17 +19,6 @@ double gap_along_axes(const Rectangle& a, const Rectangle& b) {
 }
 
 }  // namespace
-
-double fastest_point(const BodyView& body) {
-    double fastest = 0.0;
-    for (std::size_t i = 0; i < body.part_count(); ++i) {
-        const Twist twist = body.part_twist(i);
-        const double spin = std::fabs(twist.angular.z()) + std::fabs(body.stretch_rate(i));
-        const double speed = twist.linear.norm() + spin * body.part_half_extents(i).norm();
-        fastest = std::max(fastest, speed);
-    }
-    return std::min(kMostSpeed, fastest);
-}
 
 void find_parts(const BodyView& body, Extent& extent) {
     extent.parts.resize(body.part_count());

@@ -15,10 +15,6 @@ struct Extent {
     double growth = 0.0;        // m; how far every point is expected to get within a tick
 };
 
-// Returns a speed (m/s) that no point of the body exceeds; at most 200 m/s, at which bodies break
-// anyway.
-double fastest_point(const BodyView& body);
-
 // Finds the parts and their boxes; the growth stays.
 void find_parts(const BodyView& body, Extent& extent);
 

@@ -13,12 +13,20 @@ constexpr double kSpareSpeed = 2.0;      // m/s; gain in speed that is expected 
 constexpr double kSurelySpeed = 10.0;    // m/s; gain in speed of a body that touches nobody
 constexpr double kTouchDistance = 0.02;  // m; nearer bodies have contacts
 
+SceneStatus advance_alone(PhysicsScene& scene, double duration,
+                          std::unique_ptr<SceneWorkspace>& workspace) {
+    scene.give_workspace(std::move(workspace));
+    const SceneStatus status = scene.advance(duration);
+    workspace = scene.take_workspace();
+    return status;
+}
+
 }  // namespace
 
-void SolidBodies::advance(std::span<SolidBody> bodies, double duration, Workspaces workspaces,
-                          ThreadPool& pool) {
+void SolidBodies::advance(std::span<SolidBody> bodies, double duration, const SolidActs& acts,
+                          Workspaces workspaces, ThreadPool& pool) {
     CAMBRIAN_ASSERT(workspaces.size() >= pool.workers(), "a workspace for each worker");
-    const Tick tick{bodies, duration, workspaces, pool};
+    const Tick tick{bodies, duration, acts, workspaces, pool};
     look_around(tick);
     std::vector<SceneSize> sizes;
     for (const SolidBody& body : bodies)
@@ -37,31 +45,39 @@ void SolidBodies::advance(std::span<SolidBody> bodies, double duration, Workspac
     count(tick);
 }
 
-// Finds who could meet whom, and the extents of all who could.
+// Finds who could meet whom. All who could begin their tick, and their extents are found.
 void SolidBodies::look_around(const Tick& tick) {
     const std::size_t count = tick.bodies.size();
     reach_.resize(count);
-    speeds_.resize(count);
     before_.resize(count);
     after_.resize(count);
     is_awake_.assign(count, false);
-    tick.pool.parallel_for(count, [&](std::size_t i, std::size_t) {
-        const PhysicsScene& scene = *tick.bodies[i].scene;
-        speeds_[i] = fastest_point(scene);
+    for (std::size_t i = 0; i < count; ++i) {
+        const SolidBody& body = tick.bodies[i];
         reach_[i] =
-            grown(scene.bounds(), (speeds_[i] + kSurelySpeed) * tick.duration + kTouchDistance);
-    });
+            grown(body.bounds, (body.fastest + kSurelySpeed) * tick.duration + kTouchDistance);
+    }
     neighbours_.clear();
     for (const auto& [first, second] : meetings_.find(reach_)) {
         neighbours_.push_back({0.0, first, second});
         is_awake_[first] = true;
         is_awake_[second] = true;
     }
-    for (std::size_t i = 0; i < count; ++i) {
-        if (!is_awake_[i]) continue;
-        before_[i].growth = (speeds_[i] + kSpareSpeed) * tick.duration + 0.5 * kTouchDistance;
-        find_parts(*tick.bodies[i].scene, before_[i]);
+    std::vector<std::uint32_t> awake;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (is_awake_[i]) awake.push_back(i);
     }
+    tick.pool.parallel_for(
+        awake.size(), [&](std::size_t i, std::size_t worker) { begin(tick, awake[i], worker); });
+}
+
+void SolidBodies::begin(const Tick& tick, std::uint32_t body, std::size_t worker) {
+    const SolidBody& begun = tick.bodies[body];
+    begun.scene->give_workspace(std::move(tick.workspaces[worker]));
+    tick.acts.begin(body);
+    before_[body].growth = (begun.fastest + kSpareSpeed) * tick.duration + 0.5 * kTouchDistance;
+    find_parts(*begun.scene, before_[body]);
+    tick.workspaces[worker] = begun.scene->take_workspace();
 }
 
 std::vector<NearPair> SolidBodies::expected_pairs() const {
@@ -121,19 +137,36 @@ void SolidBodies::run(const Tick& tick, std::vector<Island> islands) {
     tick.pool.parallel_for(islands.size(), [&](std::size_t i, std::size_t worker) {
         const Island& island = islands[i];
         if (island.members.size() > 1) return run_joined(tick, island, worker);
-        run_alone(tick.bodies[island.members.front()], tick.duration, tick.workspaces[worker]);
+        run_alone(tick, island.members.front(), worker);
     });
 }
 
-void SolidBodies::run_alone(SolidBody& body, double duration,
-                            std::unique_ptr<SceneWorkspace>& workspace) {
-    body.scene->give_workspace(std::move(workspace));
-    body.status = body.scene->advance(duration);
-    workspace = body.scene->take_workspace();
+void SolidBodies::run_alone(const Tick& tick, std::uint32_t body, std::size_t worker) {
+    SolidBody& alone = tick.bodies[body];
+    alone.scene->give_workspace(std::move(tick.workspaces[worker]));
+    if (!is_awake_[body]) tick.acts.begin(body);
+    alone.status = alone.scene->advance(tick.duration);
+    end(tick, body);
+    tick.workspaces[worker] = alone.scene->take_workspace();
+}
+
+void SolidBodies::end(const Tick& tick, std::uint32_t body) {
+    tick.acts.end(body);
+    if (is_awake_[body]) find_parts(*tick.bodies[body].scene, after_[body]);
+}
+
+void SolidBodies::run_joined(const Tick& tick, const Island& island, std::size_t worker) {
+    run_members(tick, island, worker);
+    for (const std::uint32_t member : island.members) {
+        PhysicsScene& scene = *tick.bodies[member].scene;
+        scene.give_workspace(std::move(tick.workspaces[worker]));
+        end(tick, member);
+        tick.workspaces[worker] = scene.take_workspace();
+    }
 }
 
 // Advances the members as one. If that fails, the culprit is left out and the others try again.
-void SolidBodies::run_joined(const Tick& tick, const Island& island, std::size_t worker) const {
+void SolidBodies::run_members(const Tick& tick, const Island& island, std::size_t worker) const {
     std::vector<std::uint32_t> members = island.members;
     std::unique_ptr<SceneWorkspace>& workspace = tick.workspaces[worker];
     while (members.size() > 1) {
@@ -150,7 +183,8 @@ void SolidBodies::run_joined(const Tick& tick, const Island& island, std::size_t
         tick.bodies[members[culprit]].status = SceneStatus::kInvalid;
         members.erase(members.begin() + static_cast<std::ptrdiff_t>(culprit));
     }
-    run_alone(tick.bodies[members.front()], tick.duration, workspace);
+    SolidBody& last = tick.bodies[members.front()];
+    last.status = advance_alone(*last.scene, tick.duration, workspace);
 }
 
 // Returns the first member that cannot move alone either, or else the fastest one.
@@ -159,12 +193,11 @@ std::size_t SolidBodies::find_culprit(const Tick& tick, std::span<const std::uin
     std::size_t fastest = 0;
     double most = -1.0;
     for (std::size_t i = 0; i < members.size(); ++i) {
-        SolidBody alone = tick.bodies[members[i]];
-        const double speed = fastest_point(*alone.scene);
-        if (speed > most) fastest = i;
-        most = std::max(most, speed);
-        run_alone(alone, tick.duration, workspace);
-        if (alone.status != SceneStatus::kRunning) return i;
+        const SolidBody& alone = tick.bodies[members[i]];
+        if (alone.fastest > most) fastest = i;
+        most = std::max(most, alone.fastest);
+        if (advance_alone(*alone.scene, tick.duration, workspace) != SceneStatus::kRunning)
+            return i;
         alone.scene->go_back();
     }
     return fastest;
@@ -175,7 +208,6 @@ std::vector<bool> SolidBodies::find_leavers(const Tick& tick) {
     std::vector<bool> left(tick.bodies.size(), false);
     for (std::size_t i = 0; i < left.size(); ++i) {
         if (!is_awake_[i] || tick.bodies[i].status != SceneStatus::kRunning) continue;
-        find_parts(*tick.bodies[i].scene, after_[i]);
         if (!has_left(before_[i], after_[i])) continue;
         left[i] = true;
         for (std::size_t part = 0; part < after_[i].boxes.size(); ++part) {

@@ -10,7 +10,9 @@
 #include "world/joined_scenes.h"
 #include "world/scene_kind.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -21,8 +23,17 @@ namespace cambrian {
 struct SolidBody {
     std::uint64_t number = 0;  // never used for another body
     PhysicsScene* scene = nullptr;
-    int pulls = 0;                               // forces that the scene was given for this tick
+    Bounds bounds = {};                          // before the tick
+    double fastest = 0.0;                        // m/s; no point of it is faster before the tick
+    int pulls = 0;                               // forces that it may be given for this tick
     SceneStatus status = SceneStatus::kRunning;  // after the tick
+};
+
+// What bodies do besides moving, by index. Both are called on any worker, while the scene has a
+// workspace.
+struct SolidActs {
+    std::function<void(std::size_t)> begin;  // once, before the body moves
+    std::function<void(std::size_t)> end;    // after it moved; once more if it has to move again
 };
 
 // Sums over all ticks.
@@ -40,10 +51,11 @@ public:
     // Scenes must be of this kind. The kind must outlive it.
     explicit SolidBodies(const SceneKind& kind) : kind_(&kind) {}
 
-    // Advances all bodies, in ascending order of numbers. A body whose motion fails does not move,
-    // and the others move as if it were not there. The result is the same on any number of workers.
-    void advance(std::span<SolidBody> bodies, double duration, Workspaces workspaces,
-                 ThreadPool& pool);
+    // Advances all bodies, in ascending order of numbers; their scenes have no workspace. A body
+    // whose motion fails does not move, and the others move as if it were not there. The result is
+    // the same on any number of workers.
+    void advance(std::span<SolidBody> bodies, double duration, const SolidActs& acts,
+                 Workspaces workspaces, ThreadPool& pool);
 
     // Forgets contacts, as after a snapshot.
     void forget() { memory_.clear(); }
@@ -63,6 +75,7 @@ private:
     struct Tick {
         std::span<SolidBody> bodies;
         double duration;
+        const SolidActs& acts;
         Workspaces workspaces;
         ThreadPool& pool;
     };
@@ -72,9 +85,11 @@ private:
     void press_crowded(const Tick& tick);
     std::vector<Island> list_islands(const Tick& tick, const std::vector<bool>& wanted);
     void run(const Tick& tick, std::vector<Island> islands);
-    static void run_alone(SolidBody& body, double duration,
-                          std::unique_ptr<SceneWorkspace>& workspace);
-    void run_joined(const Tick& tick, const Island& island, std::size_t worker) const;
+    void begin(const Tick& tick, std::uint32_t body, std::size_t worker);
+    void run_alone(const Tick& tick, std::uint32_t body, std::size_t worker);
+    void run_joined(const Tick& tick, const Island& island, std::size_t worker);
+    void run_members(const Tick& tick, const Island& island, std::size_t worker) const;
+    void end(const Tick& tick, std::uint32_t body);
     static std::size_t find_culprit(const Tick& tick, std::span<const std::uint32_t> members,
                                     std::unique_ptr<SceneWorkspace>& workspace);
     std::vector<bool> find_leavers(const Tick& tick);
@@ -85,8 +100,7 @@ private:
 
     const SceneKind* kind_;
     Meetings meetings_;
-    std::vector<Bounds> reach_;  // within which every body surely stays
-    std::vector<double> speeds_;
+    std::vector<Bounds> reach_;         // within which every body surely stays
     std::vector<NearPair> neighbours_;  // pairs that could meet at all
     std::vector<bool> is_awake_;        // has a neighbour
     std::vector<Extent> before_, after_;

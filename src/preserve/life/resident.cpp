@@ -1,6 +1,7 @@
 #include "preserve/life/resident.h"
 
 #include "creature/overlap.h"
+#include "preserve/world/fastest_point.h"
 #include "preserve/world/walls.h"
 
 #include <algorithm>
@@ -33,7 +34,6 @@ Resident::Resident(Life begun, std::unique_ptr<const Phenotype> phenotype, const
       creature_(std::make_unique<Creature>(*phenotype_, kinds, settings.world.scene)),
       mouths_(mouths_of(*phenotype_, kinds.organs)),
       rectangles_(phenotype_->parts.size()) {
-    scene_->take_workspace();  // live() brings one
     life.mass = scene_->mass();
     life.parts = static_cast<std::uint32_t>(phenotype_->parts.size());
     life.neurons = static_cast<std::uint32_t>(phenotype_->network.order.size());
@@ -49,12 +49,15 @@ Resident::Resident(Life begun, std::unique_ptr<const Phenotype> phenotype, const
 }
 
 void Resident::find_places() {
+    const bool solid = is_solid(settings_->preserve);
     for (std::size_t i = 0; i < rectangles_.size(); ++i)
-        rectangles_[i] =
-            rectangle_of(*scene_, i,
-                         is_solid(settings_->preserve) ? scene_->part_half_extents(i)
-                                                       : phenotype_->plan.parts[i].half_extents);
+        rectangles_[i] = rectangle_of(
+            *scene_, i,
+            solid ? scene_->part_half_extents(i) : phenotype_->plan.parts[i].half_extents);
     bounds_ = scene_->bounds();
+    center_ = scene_->center_of_mass();
+    velocity_ = scene_->center_of_mass_velocity();
+    if (solid) fastest_ = fastest_point(*scene_);
 }
 
 void Resident::place(const Vec3& center, const Vec3& velocity) {

@@ -37,12 +37,15 @@ public:
     Resident(const Resident&) = delete;
     Resident& operator=(const Resident&) = delete;
 
+    // Gives up what is needed only while it is placed: call it once it has its place.
+    void settle() { scene_->take_workspace(); }
     // Moves the centre of mass, and gives all parts that velocity.
     void place(const Vec3& center, const Vec3& velocity);
     // Thinks and moves for a tick in a workspace of its scene. Changes nothing else, so residents
     // may do so at the same time.
     void live(std::unique_ptr<SceneWorkspace>& workspace, const WalledArea& area);
-    // Do the same in two parts: what it does before its scene is advanced, and after.
+    // Do the same in two parts: what it does before its scene is advanced, and after. The scene
+    // needs a workspace.
     void act(const WalledArea& area);
     void end_tick(SceneStatus status);
     PhysicsScene& scene() { return *scene_; }
@@ -53,9 +56,10 @@ public:
     // rectangles and bounds, which are those before that tick, still are of use.
     bool is_broken() const { return broken_; }
     std::span<const Rectangle> rectangles() const { return rectangles_; }
-    const Bounds& bounds() const { return bounds_; }  // of the rectangles
-    Vec3 center() const { return scene_->center_of_mass(); }
-    Vec3 velocity() const { return scene_->center_of_mass_velocity(); }
+    const Bounds& bounds() const { return bounds_; }    // of the rectangles
+    const Vec3& center() const { return center_; }      // of mass
+    const Vec3& velocity() const { return velocity_; }  // of the centre of mass
+    double fastest() const { return fastest_; }  // m/s; no point is faster; 0 if it is ghostly
     double radius() const { return radius_; }  // m, at rest, of a circle around the centre of mass
     bool can_move() const { return phenotype_->can_move() && phenotype_->has_live_control; }
     const Emissions& emissions() const { return creature_->emissions(); }
@@ -89,6 +93,8 @@ private:
     std::vector<Mouth> mouths_;
     std::vector<Rectangle> rectangles_;
     Bounds bounds_;
+    Vec3 center_ = Vec3::Zero(), velocity_ = Vec3::Zero();
+    double fastest_ = 0.0;
     double radius_ = 0.0;
     double work_before_ = 0.0;  // J, of the motors up to the last tick
     double work_ = 0.0;
