@@ -566,7 +566,8 @@ void PlanarScene::list_impacts(std::vector<SceneImpact>& impacts) const {
         const NotedImpact& noted = body().state.impacts[i];
         if (!(noted.impulse > 0.0)) continue;
         const Vec3 weighted(noted.point_x, noted.point_y, 0.0);
-        impacts.push_back({weighted / noted.impulse, noted.part_a, noted.part_b, noted.impulse});
+        impacts.push_back({weighted / noted.impulse, noted.part_a, noted.part_b, noted.impulse,
+                           noted.lost, noted.other});
     }
 }
 

@@ -93,6 +93,12 @@ RandomStream Preserve::stream(std::uint64_t index, std::uint64_t use) const {
 }
 
 Status Preserve::found() {
+    if (const Energy plant = energy_of(settings_->preserve.plant_energy); plant > constant_) {
+        return Error{fmt::format(
+            "[preserve] plant-energy: one plant has {} J, but the world has {} J; expected "
+            "less, or a higher energy-density",
+            short_text(joules(plant)), short_text(joules(constant_)))};
+    }
     const auto count = static_cast<std::size_t>(settings_->preserve.founders);
     for (std::size_t i = 0; i < count; ++i) {
         Result<std::unique_ptr<Resident>> founder = newcomer(i, "founder");
@@ -389,7 +395,7 @@ void Preserve::sense() {
 void Preserve::bite() {
     bounds_.clear();
     for (const auto& each : residents_)
-        bounds_.push_back(grown(each->bounds(), bite_distance(settings_->preserve)));
+        bounds_.push_back(grown(each->bounds(), bite_reach(*each, settings_->preserve)));
     for (const auto& [first, second] : meetings_.find(bounds_)) {
         Resident& a = *residents_[first];
         Resident& b = *residents_[second];

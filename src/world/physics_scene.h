@@ -30,12 +30,17 @@ struct SceneContact {
     double force = 0.0;          // N along the normal
 };
 
+class PhysicsScene;
+
 // The impacts of two parts, or of a part on something fixed, during one tick.
 struct SceneImpact {
     Vec3 point = Vec3::Zero();  // m, world
     int part = 0;
     int other_part = -1;   // -1: the ground, a fixed box or a part of another scene
     double impulse = 0.0;  // N s, sum of the normal impulses
+    double lost = 0.0;     // J, kinetic energy that they took
+    // The scene of the other part, if scenes are advanced as one and it is of another one.
+    const PhysicsScene* other_scene = nullptr;
 };
 
 // The energy audit of the motion so far (simulator/README.md 4). Works are in J.

@@ -21,6 +21,7 @@ RICH = """
 width = 12
 height = 10
 founders = 2
+restock = 0
 bodies = "ghostly"
 energy-density = 1000
 growth-time = 10
@@ -42,6 +43,7 @@ founders = 100
 """
 SWIMMERS = [ROOT / "assets/creatures/finned_swimmer.creature.json",
             ROOT / "assets/creatures/squid.creature.json"]
+OLDER = ROOT / "tests/persist/versions/older_simulator/walker.creature.json"
 
 
 class Preserve(ProgramTest):
@@ -71,6 +73,15 @@ class Preserve(ProgramTest):
                                            "--seed", 2))
         for row in one:
             self.assertAlmostEqual(sum(row["energy"].values()), 100 * 12 * 10, places=5)
+
+    def test_a_hundred_creatures_are_the_same_on_any_number_of_threads(self):
+        self.write("crowd.toml", CROWD)
+        one, two, seven = [self.rows("crowd.toml", "-f", *SWIMMERS, "--seconds", 60, "-t", threads)
+                           for threads in (1, 2, 7)]
+        self.assertEqual(len(one), 6)
+        self.assertGreaterEqual(one[0]["population"], 90)
+        self.assertEqual(one, two)
+        self.assertEqual(one, seven)
 
     def test_a_preserve_resumed_is_the_one_that_was_never_stopped(self):
         uncut = self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 180, "-o", "uncut.cambrian")
@@ -146,6 +157,8 @@ class Preserve(ProgramTest):
                             "it is a preserve, no experiment")
         self.assert_refused(self.run_program("export", "a.cambrian", "--champion"),
                             "it is a preserve, no experiment")
+        older = self.run_well("preserve", "pond.toml", "-f", OLDER, "--seconds", 1)
+        self.assertIn(f"{OLDER}: scored by simulator 0.9", older.stderr)
         self.write("small.toml", SMALL)
         self.run_well("evolve", "small.toml", "-n", 1, "-o", "e.cambrian")
         for command in (["preserve", "--resume", "e.cambrian"], ["export", "e.cambrian", "--lives"]):

@@ -144,6 +144,35 @@ TEST_CASE("a collision keeps momentum and angular momentum", "[dynamics][joined]
     CHECK(pair.deepest() < 5e-3);
 }
 
+TEST_CASE("impacts of two scenes say what energy they took, and whose they are",
+          "[dynamics][joined]") {
+    Environment space = empty_space();
+    space.elasticity = 0.3;
+    space.friction = 0.6;
+    Group pair({one_box(0.3, 0.1, 0.0, 0.0), one_box(0.2, 0.2, 0.9, 0.12, 0.3)}, space);
+    push(pair[1], Vec3(-2.0, 0.3, 0.0));
+    const double before = pair[1].kinetic_energy();
+    double lost = 0.0;
+    for (int tick = 0; tick < 60; ++tick) {
+        REQUIRE(pair.run(kTestTick));
+        std::vector<SceneImpact> of_first;
+        std::vector<SceneImpact> of_second;
+        pair[0].list_impacts(of_first);
+        pair[1].list_impacts(of_second);
+        REQUIRE(of_first.size() == of_second.size());
+        for (std::size_t i = 0; i < of_first.size(); ++i) {
+            CHECK(of_first[i].other_scene == &pair[1]);
+            CHECK(of_second[i].other_scene == &pair[0]);
+            CHECK(of_first[i].lost == of_second[i].lost);
+            CHECK(of_first[i].lost > 0.0);
+            lost += of_first[i].lost;
+        }
+    }
+    const double after = pair[0].kinetic_energy() + pair[1].kinetic_energy();
+    CHECK(lost > 0.1 * before);
+    CHECK(lost == Approx(before - after).epsilon(0.01));
+}
+
 TEST_CASE("creatures far apart that are advanced as one move as if alone", "[dynamics][joined]") {
     RandomStream random(7);
     const std::vector<BodyPlan> plans = {random_tree(random, 5, 0.3, 10.0, 0.0),

@@ -70,8 +70,14 @@ void look_at(const SavedPreserve& saved) {
         promise(validate(*founder, kinds().creature.catalog).empty(), "every genome is valid");
 }
 
+void look_at(const std::vector<MuseumPiece>& museum) {
+    for (const MuseumPiece& piece : museum)
+        promise(validate(*piece.genome, kinds().creature.catalog).empty(), "every genome is valid");
+}
+
 void read_tables(Workplace& at) {
     try {
+        look_at(read_museum(at.database, kinds()));
         const SavedPreserve saved = read_preserve(at.database, kinds());
         look_at(saved);
         const auto state = read_snapshot(at.database, saved.snapshots.back(), kinds());
@@ -84,6 +90,7 @@ void read_tables(Workplace& at) {
 void read_file(Workplace& at) {
     for (const auto& table : {lives_csv(at.path), series_csv(at.path)})
         promise(!table || table->find('\n') != std::string::npos, "a table has a line of names");
+    if (const auto museum = load_museum(at.path, kinds())) look_at(*museum);
     const auto saved = load_preserve(at.path, kinds());
     promise(saved || saved.error().message.find(at.path.string()) != std::string::npos,
             "a refusal names the file");

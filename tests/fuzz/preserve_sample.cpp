@@ -20,7 +20,7 @@ namespace {
 // The settings are short, and the world is small, because both are read each time.
 constexpr const char* kSettings =
     "run.seed = 5\npreserve.width = 6\npreserve.height = 6\npreserve.energy-density = 20\n"
-    "preserve.founders = 2\npreserve.restock = 2\n";
+    "preserve.founders = 2\npreserve.restock = 2\npreserve.ramming = 4\n";
 
 template <class Entries>
 std::uint8_t index_of(const Entries& entries, std::string_view id) {
@@ -61,6 +61,7 @@ void write_preserve(const std::filesystem::path& path) {
         (*preserve)->tick(pool);
     Chronicle chronicle = (*preserve)->take_chronicle();
     chronicle.interventions.push_back({1, "restock", 1});
+    chronicle.museum.push_back({1, 1, museum_reason::kLineage, kMembersForMuseum});
     promise((*file)->write(chronicle, **preserve).has_value(), "a snapshot can be kept");
 }
 

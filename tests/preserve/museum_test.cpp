@@ -36,7 +36,7 @@ TEST_CASE("the founder of a lineage with twenty living members comes into the mu
         for (const MuseumPiece& piece : chronicle.museum) {
             CHECK(piece.tick == preserve->ticks());
             CHECK(piece.count == kMembersForMuseum);
-            CHECK(living_members(preserve->residents(), piece.number) == kMembersForMuseum);
+            CHECK(living_members(preserve->residents(), piece.number) >= kMembersForMuseum);
             CHECK(piece.genome != nullptr);
         }
     }

@@ -1,5 +1,6 @@
 #include "persist/experiment/experiment_file.h"
 #include "persist/preserve/preserve_file.h"
+#include "persist/sqlite/database.h"
 #include "simulator/simulator_version.h"
 #include "support/temporary_directory.h"
 #include "worlds.h"
@@ -94,6 +95,51 @@ TEST_CASE("a preserve file keeps lives, series and snapshots, and goes on", "[pr
     CHECK(digest(**resumed) == digest(preserve));
     CHECK(*lives_csv(path) == *uncut_lives);
     CHECK(*series_csv(path) == *series);
+}
+
+TEST_CASE("a snapshot that says it is huge is refused before it is inflated", "[preserve]") {
+    const TemporaryDirectory folder;
+    const auto path = folder.path() / "pond.cambrian";
+    KeptWorld world = kept_in(path, small_world());
+    world.file.reset();
+    const auto message_with = [&](const std::string& change) {
+        Database(path, Database::Access::kWrite).execute(change);
+        const auto saved = load_preserve(path, kinds());
+        REQUIRE(saved);
+        const auto state = load_snapshot(path, saved->snapshots.front(), kinds());
+        return state ? std::string() : state.error().message;
+    };
+    CHECK_THAT(message_with("UPDATE snapshots SET size = 268435456"),  // 2 GB
+               Catch::EndsWith("the snapshot has 268435456 numbers; expected at most 16000000"));
+    CHECK_THAT(message_with("UPDATE snapshots SET size = 15000000"),
+               Catch::EndsWith("the snapshot has fewer numbers than it says"));
+    CHECK_THAT(message_with("UPDATE snapshots SET size = -1"),
+               Catch::Contains("expected at most 16000000"));
+    CHECK_FALSE(PreserveFile::open(path, kinds()));
+}
+
+TEST_CASE("a file with a million lives is read without keeping them all", "[preserve]") {
+    const TemporaryDirectory folder;
+    const auto path = folder.path() / "pond.cambrian";
+    KeptWorld world = kept_in(path, small_world());
+    world.file.reset();
+    Database(path, Database::Access::kWrite)
+        .execute(
+            "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 1000000) "
+            "INSERT INTO lives SELECT i + 1000, uid, parent1, parent2, lineage, method, mutations, "
+            "born, died, cause, x, y, mass, parts, neurons, diet, eaten_plants, eaten_flesh, "
+            "bitten, lost, children FROM n, (SELECT * FROM lives LIMIT 1)");
+    const auto saved = load_preserve(path, kinds());
+    REQUIRE(saved);
+    const auto state = load_snapshot(path, saved->snapshots.front(), kinds());
+    REQUIRE(state);
+    CHECK(state->residents.size() == 10);
+    const auto museum = load_museum(path, kinds());
+    REQUIRE(museum);
+    CHECK(museum->empty());
+    // Going on removes what was born after the snapshot.
+    REQUIRE(PreserveFile::open(path, kinds()));
+    CHECK(std::ranges::count(*lives_csv(path), '\n') == 1 + 10);
 }
 
 TEST_CASE("a preserve file is no experiment, and an experiment no preserve", "[preserve]") {

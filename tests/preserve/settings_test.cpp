@@ -1,6 +1,8 @@
 #include "persist/settings/settings_file.h"
 #include "worlds.h"
 
+#include <fmt/core.h>
+
 #include <string>
 
 namespace cambrian {
@@ -75,6 +77,21 @@ TEST_CASE("founders that cannot live there give one clear message each", "[prese
         founding_message(settings, eater(0.0)) ==
         "[preserve] founders: the energy is spent after 0 of 10; expected fewer founders, or more "
         "than 0.1 J/m^2 of energy-density");
+    settings.preserve.energy_density = 100.0;
+    settings.preserve.plant_energy = 12'001.0;
+    CHECK(founding_message(settings, eater(0.0)) ==
+          "[preserve] plant-energy: one plant has 12001 J, but the world has 12000 J; "
+          "expected less, or a higher energy-density");
+    settings = small_world();
+    settings.preserve.bodies = "solid";
+    settings.preserve.width = 5.0;
+    settings.preserve.height = 5.0;
+    settings.preserve.energy_density = 1000.0;
+    for (const char* x : {"-2.4", "-1.8", "-1.2", "-0.6", "0", "0.6", "1.2", "1.8", "2.4"})
+        settings.preserve.walls += fmt::format("{0} -2.5 {0} 2.5;", x);
+    CHECK_THAT(founding_message(settings, eater(0.0)),
+               Catch::StartsWith("no place is left for founder ") &&
+                   Catch::EndsWith("; expected fewer founders, fewer walls or a larger world"));
     settings = small_world();
     settings.preserve.width = 5.0;
     settings.preserve.height = 5.0;

@@ -105,6 +105,108 @@ TEST_CASE("a solid hunter bites what its mouth touches", "[preserve][solid]") {
     CHECK(bitten > energy_of(1.0));
 }
 
+TEST_CASE("with ramming a mouth takes energy in proportion to what its impacts took",
+          "[preserve][solid]") {
+    ExperimentSettings settings = solid_world();
+    settings.preserve.width = 6.0;
+    settings.preserve.height = 6.0;
+    settings.preserve.energy_density = 300.0;
+    settings.preserve.founders = 12;
+    settings.preserve.bite_power = 0.0;
+    settings.preserve.ramming = 50.0;
+    const auto preserve = begun(settings, {eater(1.0, 0.4), eater(0.0), eater(0.0)});
+    ThreadPool pool(1);
+    Energy taken = 0;
+    double allowed = 0.0;  // J
+    const auto lost_of_all = [&] {
+        Energy sum = 0;
+        for (const auto& each : preserve->residents())
+            sum += each->life.lost;
+        return sum;
+    };
+    for (int tick = 0; tick < 2400; ++tick) {
+        const Energy before = lost_of_all();
+        preserve->tick(pool);
+        REQUIRE(preserve->total_energy() == preserve->founding_energy());
+        Chronicle chronicle = preserve->take_chronicle();
+        Energy after = lost_of_all();
+        for (const Life& life : chronicle.died)
+            after += life.lost;
+        if (chronicle.died.empty()) {
+            for (const auto& each : preserve->residents()) {
+                for (const SceneImpact& impact : each->impacts())
+                    allowed += 50.0 * std::max(impact.lost, 0.0);
+            }
+            taken += after - before;
+        }
+    }
+    CHECK(taken > energy_of(1e-3));
+    CHECK(joules(taken) <= allowed);
+}
+
+TEST_CASE("without ramming or the power to bite nobody loses energy to mouths",
+          "[preserve][solid]") {
+    ExperimentSettings settings = solid_world();
+    settings.preserve.width = 6.0;
+    settings.preserve.height = 6.0;
+    settings.preserve.energy_density = 300.0;
+    settings.preserve.founders = 12;
+    settings.preserve.bite_power = 0.0;
+    const auto preserve = begun(settings, {eater(1.0, 0.4), eater(0.0), eater(0.0)});
+    run_to(*preserve, 600);
+    CHECK(preserve->solid_counts().joined_ticks > 100);
+    for (const auto& each : preserve->residents())
+        CHECK(each->life.lost == 0);
+}
+
+TEST_CASE("two solid creatures far apart move exactly as each in a trial of its own",
+          "[preserve][solid]") {
+    ExperimentSettings settings = solid_world();
+    settings.preserve.width = 60.0;
+    settings.preserve.height = 60.0;
+    settings.preserve.founders = 2;
+    settings.preserve.max_population = 2;
+    settings.preserve.restock = 0;
+    settings.preserve.energy_density = 10.0;
+    const std::vector<GenomePtr> founders = {fish(kind_catalog()), eater(0.0)};
+    const auto preserve = begun(settings, founders);
+    ThreadPool pool(2);
+    struct Alone {
+        std::unique_ptr<Phenotype> phenotype;
+        std::unique_ptr<PhysicsScene> scene;
+        std::unique_ptr<Creature> creature;
+    };
+    std::vector<Alone> alone;
+    const auto& residents = preserve->residents();
+    REQUIRE(residents.size() == 2);
+    REQUIRE((residents[0]->center() - residents[1]->center()).norm() > 5.0);
+    for (std::size_t i = 0; i < 2; ++i) {
+        Alone& each = alone.emplace_back();
+        each.phenotype = std::make_unique<Phenotype>(
+            express(*founders[i], creature_kinds(), settings.expression, settings.world.scene));
+        each.scene = *creature_kinds().scene.make(each.phenotype->plan, settings.world.environment,
+                                                  settings.world.scene);
+        REQUIRE(each.scene->begin_at(residents[i]->save().motion));
+        each.creature =
+            std::make_unique<Creature>(*each.phenotype, creature_kinds(), settings.world.scene);
+    }
+    const CommonSenses senses({60.0, 60.0}, settings.world.environment);
+    const CreatureSenses surroundings(senses, 1);
+    for (int tick = 0; tick < 600; ++tick) {
+        preserve->tick(pool);
+        for (Alone& each : alone) {
+            each.creature->act(*each.scene, surroundings, kBrainTick);
+            each.scene->advance(kBrainTick);
+        }
+    }
+    CHECK(preserve->solid_counts().joined_ticks == 0);
+    REQUIRE(residents.size() == 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(residents[i]->save().motion.positions == alone[i].scene->motion().positions);
+        CHECK(residents[i]->save().motion.speeds == alone[i].scene->motion().speeds);
+    }
+}
+
 TEST_CASE("threads do not change the bits of solid creatures", "[preserve][solid][threads]") {
     ExperimentSettings settings = solid_world();
     settings.preserve.founders = 30;

@@ -49,11 +49,24 @@ void find_stops(const PlanarModel& model, const Kinematics& kinematics, LimitSet
 
 }  // namespace
 
+double ContactSolver::impact_work_of_row(int row) const {
+    return rows_.impulse[row] * (rows_[row].rate + 0.5 * impulse_effect(rows_, row));
+}
+
 double ContactSolver::impact_work() const {
     double work = 0.0;
     for (int row = 0; row < rows_.count; ++row) {
         if (rows_.impulse[row] == 0.0) continue;
-        work += rows_.impulse[row] * (rows_[row].rate + 0.5 * impulse_effect(rows_, row));
+        work += impact_work_of_row(row);
+    }
+    return work;
+}
+
+double ContactSolver::impact_work_of(int contact) const {
+    double work = 0.0;
+    for (int row = 0; row < rows_.count; ++row) {
+        if (rows_[row].kind == RowKind::kLimit || rows_[row].source != contact) continue;
+        if (rows_.impulse[row] != 0.0) work += impact_work_of_row(row);
     }
     return work;
 }

@@ -88,6 +88,9 @@ public:
     double held_normal(int contact) const { return normal_force_[contact]; }
     // Normal impulse of a selected contact after solve_impact(), N s.
     double normal_impulse_of(int contact) const;
+    // Work of the impact at a selected contact after solve_impact(), J. The friction that contacts
+    // share counts for the first of them.
+    double impact_work_of(int contact) const;
 
     // Work of the constant forces between the positions at the ends of a step.
     HeldWork held_work(const PlanarModel& model, const Kinematics& begin,
@@ -98,6 +101,7 @@ private:
     void set_resting_bias(const PlanarModel& model, double h, const WarmStart& warm);
     bool solve_rows(const PlanarModel& model, const ContactLaw& law, double h);
     double resting_work(double h) const;
+    double impact_work_of_row(int row) const;
     double impact_work() const;
     void store_forces(int body_count, double h, WarmStart& warm);
 

@@ -56,6 +56,7 @@ private:
     void spread(double duration, SceneBody& member, std::size_t index) const;
     void give_motion(SceneBody& member, const Offset& offset) const;
     void give_touches(SceneBody& member, const Offset& offset) const;
+    const PhysicsScene* scene_of(int body) const;
     void give_impacts(SceneBody& member, const Offset& offset) const;
     void give_works(SceneBody& member, std::size_t index) const;
     void give_audit(SceneBody& member) const;
@@ -64,6 +65,7 @@ private:
     std::vector<Offset> offsets_;
     PackedBody packed_;
     SceneBody* all_ = nullptr;  // in the workspace of the present tick
+    std::span<PhysicsScene* const> scenes_;
     bool is_new_ = true;
 };
 
@@ -76,6 +78,7 @@ SceneStatus JoinedBodies::advance(std::span<PhysicsScene* const> scenes, double 
     for (std::size_t i = 0; i < scenes.size(); ++i)
         members.push_back(&body_scene(*scenes[i]).open(steps->room(i)));
     all_ = &steps->joined;
+    scenes_ = scenes;
     if (is_new_)
         begin(members);
     else
@@ -254,6 +257,15 @@ void JoinedBodies::give_touches(SceneBody& member, const Offset& offset) const {
     }
 }
 
+// Returns the scene of a body of all; null for -1.
+const PhysicsScene* JoinedBodies::scene_of(int body) const {
+    const PhysicsScene* found = nullptr;
+    for (std::size_t i = 0; i < offsets_.size(); ++i) {
+        if (offsets_[i].body <= body) found = scenes_[i];
+    }
+    return found;
+}
+
 // Both members of an impact note it, as one with something outside.
 void JoinedBodies::give_impacts(SceneBody& member, const Offset& offset) const {
     SimulationState& own = member.state;
@@ -269,6 +281,7 @@ void JoinedBodies::give_impacts(SceneBody& member, const Offset& offset) const {
             std::swap(noted.part_a, noted.part_b);
         }
         const bool within = is_own(noted.body_b);
+        noted.other = within ? nullptr : scene_of(noted.body_b);
         noted.body_a -= offset.body;
         noted.part_a -= offset.part;
         noted.body_b = within ? noted.body_b - offset.body : -1;

@@ -62,8 +62,9 @@ bool is_within_creature(const PlanarModel& model, const Contact& contact) {
     return (paths & model.roots) != 0;
 }
 
+// The impulse is in N s, and `work` in J is that of the impact.
 void note_impact(const PlanarModel& model, const Kinematics& kinematics, const Contact& contact,
-                 double impulse, SimulationState& state) {
+                 double impulse, double work, SimulationState& state) {
     if (is_within_creature(model, contact)) return;
     const auto end = state.impacts + state.impact_count;
     auto* noted = std::find_if(state.impacts, end, [&](const NotedImpact& each) {
@@ -75,6 +76,7 @@ void note_impact(const PlanarModel& model, const Kinematics& kinematics, const C
         *noted = {contact.body_a, contact.body_b, contact.part_a, contact.part_b};
     }
     noted->impulse += impulse;
+    noted->lost -= work;
     noted->point_x += impulse * (kinematics.x[contact.body_a] + contact.arm_ax);
     noted->point_y += impulse * (kinematics.y[contact.body_a] + contact.arm_ay);
 }
@@ -285,7 +287,8 @@ void StepControl::apply_impact(Tick& tick, double restitution) {
     for (int c = 0; c < touching.count; ++c) {
         const double impulse = contacts_.normal_impulse_of(c);
         note_touch(touching.items[c], state);
-        note_impact(tick.model, state.cache().kinematics, touching.items[c], impulse, state);
+        note_impact(tick.model, state.cache().kinematics, touching.items[c], impulse,
+                    contacts_.impact_work_of(c), state);
         if (tick.model.measured_parts != 0)
             add_load(tick.model, touching.items[c], impulse, state.forces);
     }

@@ -26,7 +26,9 @@ struct NotedImpact {
     int body_a = 0, body_b = -1;          // -1: the ground
     int part_a = 0, part_b = -1;          // those of the first contact
     double impulse = 0.0;                 // N s, sum of the normal impulses
+    double lost = 0.0;                    // J, kinetic energy
     double point_x = 0.0, point_y = 0.0;  // m, world; sums weighted by the impulse
+    const PhysicsScene* other = nullptr;  // of body b, if it is another one
 };
 
 // Works of the motors of one of several creatures during a tick, J.

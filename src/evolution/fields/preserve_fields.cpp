@@ -93,6 +93,11 @@ void add_life(TableBuilder& table) {
         "The power that a mouth takes from what it overlaps, for each metre of its part's width.",
         [](Settings & s) -> auto& { return s.preserve.bite_power; });
     table.number(
+        "ramming", "Ramming", "J/J", Range{0, 1e3},
+        "The energy that a mouth takes from what it rams, for each joule of motion that the impact "
+        "takes. Only solid creatures ram.",
+        [](Settings & s) -> auto& { return s.preserve.ramming; });
+    table.number(
         "birth-energy", "Store at birth", "J/kg", Range{1, 1e5},
         "The energy that a newborn gets from its parent, for each kilogram.",
         [](Settings & s) -> auto& { return s.preserve.birth_energy; });

@@ -22,6 +22,7 @@ struct PreserveSettings {
     double aging_time = 600.0;      // s; age at which upkeep has doubled
     double flesh_half_life = 60.0;  // s
     double bite_power = 40.0;       // W for each metre of a mouth's width
+    double ramming = 0.0;           // J taken for each J that a mouth's impact took; 0: none
     double birth_energy = 100.0;    // J/kg; store of a newborn
     double body_energy = 20.0;      // J/kg bound in a body
     double kin_peace = 20.0;        // s from birth without bites between parent and child

@@ -37,6 +37,24 @@ std::size_t bitten_part(Rectangle mouth, double distance, std::span<const Rectan
     return static_cast<std::size_t>(found - parts.begin());
 }
 
+struct Ram {
+    double lost = 0.0;  // J, of the impacts
+    Vec3 place = Vec3::Zero();
+};
+
+// Returns how a mouth rammed a victim in the last tick.
+Ram ram_of(const Resident& biter, const Mouth& mouth, const Resident& victim) {
+    Ram ram;
+    for (const SceneImpact& impact : biter.impacts()) {
+        const bool is_bite = impact.other_scene == &victim.scene() &&
+                             static_cast<std::size_t>(impact.part) == mouth.part;
+        if (!is_bite || !(impact.lost > 0.0)) continue;
+        ram.lost += impact.lost;
+        ram.place = impact.point;
+    }
+    return ram;
+}
+
 // Takes energy from the store, then from the body.
 void take_energy(Resident& victim, Energy energy) {
     const Energy stored = std::min(victim.store, energy);
@@ -65,6 +83,12 @@ double bite_distance(const PreserveSettings& laws) {
     return is_solid(laws) ? kSolidBite : 0.0;
 }
 
+// What bounced off may be as far away as it gets within a tick.
+double bite_reach(const Resident& resident, const PreserveSettings& laws) {
+    const double recoil = laws.ramming > 0.0 ? resident.fastest() * kBrainTick : 0.0;
+    return bite_distance(laws) + recoil;
+}
+
 void bite(Resident& biter, Resident& victim, const PreserveSettings& laws, std::uint64_t tick,
           Pellets& flesh) {
     if (biter.store <= 0) return;
@@ -74,15 +98,20 @@ void bite(Resident& biter, Resident& victim, const PreserveSettings& laws, std::
     for (const Mouth& mouth : biter.mouths()) {
         const Rectangle& place = biter.rectangles()[mouth.part];
         const std::size_t part = bitten_part(place, bite_distance(laws), victim.rectangles());
-        if (part == victim.rectangles().size()) continue;
-        const double power = share_of_flesh(mouth.diet) * laws.bite_power * mouth.width;
-        const Energy taken = std::min(victim.store + victim.body, energy_of(power * kBrainTick));
+        const bool is_held = part < victim.rectangles().size();
+        const Ram ram = ram_of(biter, mouth, victim);
+        if (!is_held && ram.lost == 0.0) continue;
+        const double share = share_of_flesh(mouth.diet);
+        const double power = is_held ? share * laws.bite_power * mouth.width : 0.0;
+        const double wanted = power * kBrainTick + share * laws.ramming * ram.lost;
+        const Energy taken = std::min(victim.store + victim.body, energy_of(wanted));
         if (taken == 0) continue;
         const Energy crumbs = taken / kBittenOff;
         take_energy(victim, taken);
         biter.store += taken - crumbs;
         biter.life.bitten += taken - crumbs;
-        flesh.add_near(victim.rectangles()[part].center, crumbs, kCrumbDistance);
+        flesh.add_near(is_held ? victim.rectangles()[part].center : ram.place, crumbs,
+                       kCrumbDistance);
     }
 }
 

@@ -13,9 +13,11 @@ Energy eat(Resident& resident, Pellets& plants, Pellets& flesh);
 
 // Returns how near (m) a mouth must be to a part to bite it: solid bodies hardly overlap.
 double bite_distance(const PreserveSettings& laws);
+// Returns how near (m) its bounds must be to another's, each grown by this, for a bite.
+double bite_reach(const Resident& resident, const PreserveSettings& laws);
 
-// Lets one bite the other for a tick, where a mouth is that near to a part. Parents and young
-// children do not bite each other.
+// Lets one bite the other for a tick, where a mouth is that near to a part or rammed it. Parents
+// and young children do not bite each other.
 void bite(Resident& biter, Resident& victim, const PreserveSettings& laws, std::uint64_t tick,
           Pellets& flesh);
 

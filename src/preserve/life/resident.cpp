@@ -91,7 +91,9 @@ void Resident::end_tick(SceneStatus status) {
     broken_ = status != SceneStatus::kRunning || audit.max_part_speed > guards.max_part_speed ||
               audit.max_part_spin > guards.max_part_spin;
     work_ = broken_ ? 0.0 : std::max(audit.gross_motor_work - work_before_, 0.0);
-    if (!broken_) find_places();
+    if (broken_) return;
+    find_places();
+    if (settings_->preserve.ramming > 0.0) scene_->list_impacts(impacts_);
 }
 
 double Resident::age(std::uint64_t tick) const {

@@ -49,6 +49,7 @@ public:
     void act(const WalledArea& area);
     void end_tick(SceneStatus status);
     PhysicsScene& scene() { return *scene_; }
+    const PhysicsScene& scene() const { return *scene_; }
 
     // The work of the motors in the last tick, in J.
     double work() const { return work_; }
@@ -62,6 +63,8 @@ public:
     double fastest() const { return fastest_; }  // m/s; no point is faster; 0 if it is ghostly
     double radius() const { return radius_; }  // m, at rest, of a circle around the centre of mass
     bool can_move() const { return phenotype_->can_move() && phenotype_->has_live_control; }
+    // Impacts of the last tick, if ramming counts in this world.
+    std::span<const SceneImpact> impacts() const { return impacts_; }
     const Emissions& emissions() const { return creature_->emissions(); }
     std::span<const Mouth> mouths() const { return mouths_; }
     const Phenotype& phenotype() const { return *phenotype_; }
@@ -92,6 +95,7 @@ private:
     std::unique_ptr<Creature> creature_;
     std::vector<Mouth> mouths_;
     std::vector<Rectangle> rectangles_;
+    std::vector<SceneImpact> impacts_;
     Bounds bounds_;
     Vec3 center_ = Vec3::Zero(), velocity_ = Vec3::Zero();
     double fastest_ = 0.0;
