@@ -1,7 +1,9 @@
 #include "evolution/generation.h"
 
 #include "breeding/mutation.h"
+#include "breeding/mutations/tuning.h"
 #include "evolution/selections/quotas.h"
+#include "evolution/tuned_parents.h"
 #include "genome/founders/random_genome.h"
 
 #include <algorithm>
@@ -11,6 +13,8 @@ namespace cambrian {
 namespace {
 
 constexpr int kPartnerDraws = 5;
+// The stream of a generation's selection from which parents of tuned children are drawn.
+constexpr std::uint64_t kTuningStream = 1;
 
 // Data that all children of one generation share.
 struct ReproductionContext {
@@ -78,6 +82,34 @@ IndividualPtr breed_child(const ReproductionContext& context, std::size_t child,
                       context.kinds, context.generation, child, breeding);
 }
 
+// Returns a copy of a creature with tuned numbers.
+IndividualPtr breed_tuned_child(const ReproductionContext& context, std::size_t child,
+                                std::size_t parent) {
+    RandomStream breeding = context.stream(child + 1, Purpose::kBreeding);
+    const IndividualPtr& mother = context.ranked[parent];
+    return make_child({.first = mother,
+                       .second = mother,
+                       .method = single_parent_method(context.kinds.breeding),
+                       .tuned = true},
+                      context.settings, context.kinds, context.generation, child, breeding);
+}
+
+std::vector<MutationRecord> change(Genome& genome, const ParentPair& pair,
+                                   const ExperimentSettings& settings, const EvolutionKinds& kinds,
+                                   RandomStream& stream) {
+    const KindCatalog& catalog = kinds.creature.catalog;
+    if (pair.tuned) {
+        const IndividualPtr& before = pair.first->mother.get();
+        const Genome* old = before == nullptr ? nullptr : before->genome.get();
+        return {tune(genome, old, catalog, stream)};
+    }
+    return mutate(genome, settings.mutation, kinds.mutations,
+                  {.catalog = catalog,
+                   .founders = settings.founders,
+                   .mutate_reproduction = settings.breeding.choice == "attribute"},
+                  stream, pair.extra_mutations);
+}
+
 }  // namespace
 
 IndividualPtr make_child(const ParentPair& pair, const ExperimentSettings& settings,
@@ -86,18 +118,14 @@ IndividualPtr make_child(const ParentPair& pair, const ExperimentSettings& setti
     const Individual& mother = *pair.first;
     const bool paired = pair.method.parents > 1;
     const Individual& father = paired ? *pair.second : mother;
-    const KindCatalog& catalog = kinds.creature.catalog;
-    Genome genome = pair.method.breed(*mother.genome, *father.genome, catalog, breeding);
+    Genome genome =
+        pair.method.breed(*mother.genome, *father.genome, kinds.creature.catalog, breeding);
     RandomStream mutation(stream_seed(settings.seed, generation, child, Purpose::kMutation));
-    std::vector<MutationRecord> mutations =
-        mutate(genome, settings.mutation, kinds.mutations,
-               {.catalog = catalog,
-                .founders = settings.founders,
-                .mutate_reproduction = settings.breeding.choice == "attribute"},
-               mutation, pair.extra_mutations);
+    std::vector<MutationRecord> mutations = change(genome, pair, settings, kinds, mutation);
     genome.name.clear();
-    Individual individual = make_individual(std::make_shared<const Genome>(std::move(genome)),
-                                            settings, generation, child, pair.method.id);
+    Individual individual =
+        make_individual(std::make_shared<const Genome>(std::move(genome)), settings, generation,
+                        child, pair.tuned ? "tuning" : pair.method.id);
     individual.parents = {mother.uid, paired ? father.uid : 0};
     individual.mother = ParentLink(pair.first);
     individual.line = mother.line;
@@ -165,8 +193,13 @@ std::vector<IndividualPtr> next_generation(std::span<const IndividualPtr> ranked
         next.push_back(ranked[survivor]);
     const std::size_t children = selected.first_parents.size();
     const std::vector<const BreedingKind*> methods = assign_methods(context, children);
+    RandomStream tuning = context.stream(kTuningStream, Purpose::kSelection);
+    const auto tuned =
+        draw_tuned_parents(ranked, selected.survivors, children, settings.population.tuned, tuning);
     for (std::size_t child = 0; child < children; ++child) {
-        next.push_back(breed_child(context, child, selected.first_parents[child], methods[child]));
+        next.push_back(tuned[child] ? breed_tuned_child(context, child, *tuned[child])
+                                    : breed_child(context, child, selected.first_parents[child],
+                                                  methods[child]));
     }
     for (std::uint64_t child = children; child < children + selected.immigrants; ++child)
         next.push_back(make_immigrant(settings, kinds, generation, child));

@@ -12,7 +12,6 @@ namespace cambrian {
 // Makes the next generation from a ranked one: unchanged survivors, then offspring, then random
 // immigrants. `generation` is the number of the new one. It is a pure function except for the
 // selection's memory, which it updates.
-// updates. generation: number of the new one.
 std::vector<IndividualPtr> next_generation(std::span<const IndividualPtr> ranked,
                                            const ExperimentSettings& settings,
                                            const EvolutionKinds& kinds, std::uint32_t generation,
@@ -30,10 +29,11 @@ struct ParentPair {
     const IndividualPtr& second;  // ignored by methods of one parent
     const BreedingKind& method;
     int extra_mutations = 0;  // besides those that the settings draw
+    bool tuned = false;       // the child is tuned instead of mutated
 };
 
-// Returns the child for a place in a generation, bred and mutated but not evaluated. Random numbers
-// come from `breeding`.
+// Returns the child for a place in a generation, bred and mutated or tuned but not evaluated.
+// Random numbers come from `breeding`.
 IndividualPtr make_child(const ParentPair& pair, const ExperimentSettings& settings,
                          const EvolutionKinds& kinds, std::uint32_t generation, std::uint64_t child,
                          RandomStream& breeding);

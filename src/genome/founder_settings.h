@@ -18,6 +18,7 @@ struct FounderSettings {
     int max_node_neurons = 3;
     int max_brain_neurons = 2;
     int max_recursion = 4;
+    double rhythmic_share = 0.0;  // share of genomes whose limbs follow one rhythm
     // Whether a kind may be used, by id. Functions and kinds of references that are not listed may
     // be used. Of joints, sensor channels and organs that are not listed, the usual ones may
     // (genome/kind_catalog.h).

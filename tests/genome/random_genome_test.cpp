@@ -131,3 +131,61 @@ TEST_CASE("founders' oscillators mostly get constants in the suggested range", "
     }
     CHECK(static_cast<double>(suggested) / all > 0.78);
 }
+
+TEST_CASE("limbs of rhythmic founders follow oscillators of one frequency", "[genome][random]") {
+    FounderSettings settings;
+    settings.rhythmic_share = 1.0;
+    int pairs = 0;
+    for (const Genome& genome : founders(settings, 500)) {
+        REQUIRE(validate(genome, small_catalog()).empty());
+        const double frequency = genome.nodes[0].neurons.back().inputs[0].weight;
+        CHECK(frequency >= 0.3);
+        CHECK(frequency <= 2.0);
+        for (const NodeGene& node : genome.nodes) {
+            const NeuronGene& neuron = node.neurons.back();
+            CHECK(small_catalog().functions[neuron.function].id == "oscillate-wave");
+            CHECK(neuron.inputs[0].source.kind == SourceKind::kConstant);
+            CHECK(neuron.inputs[0].weight == frequency);
+            CHECK(node.effector.source == own_neuron(SourceScope::kPart, node.neurons.size() - 1));
+            pairs += node.symmetric ? 1 : 0;
+        }
+    }
+    CHECK(pairs > 300);
+}
+
+TEST_CASE("founders are as rhythmic as the settings say", "[genome][random]") {
+    FounderSettings settings;
+    const auto rhythmic = [&] {
+        int count = 0;
+        for (const Genome& genome : founders(settings, 2000)) {
+            count +=
+                std::all_of(genome.nodes.begin(), genome.nodes.end(), [](const NodeGene& node) {
+                    return !node.neurons.empty() &&
+                           node.effector.source ==
+                               own_neuron(SourceScope::kPart, node.neurons.size() - 1);
+                });
+        }
+        return count;
+    };
+    CHECK(rhythmic() < 200);
+    settings.rhythmic_share = 0.5;
+    CHECK(rhythmic() == Approx(1000).margin(150));
+    // Without oscillators, or where joints may not follow neurons, nobody is.
+    settings.rhythmic_share = 1.0;
+    settings.functions["oscillate-wave"] = false;
+    CHECK(rhythmic() < 200);
+    settings.functions.clear();
+    settings.references["localNeuron"] = false;
+    CHECK(rhythmic() < 200);
+}
+
+TEST_CASE("rhythmic founders keep to contradictory limits", "[genome][random]") {
+    FounderSettings settings;
+    settings.rhythmic_share = 1.0;
+    settings.min_nodes = 40;
+    settings.max_nodes = -3;
+    settings.max_recursion = 0;
+    settings.max_node_neurons = 9;
+    for (const Genome& genome : founders(settings, 200))
+        REQUIRE(validate(genome, small_catalog()).empty());
+}

@@ -9,6 +9,7 @@ namespace cambrian::quality {
 namespace {
 
 void breed_only(ExperimentSettings& settings, const char* method) {
+    settings.population.tuned = 0.0;
     for (const char* other : {"asexual", "crossover", "grafting", "homologous-crossover"})
         settings.breeding.shares[other] = 0.0;
     settings.breeding.shares[method] = 1.0;
@@ -43,6 +44,7 @@ constexpr Arm kArms[] = {
     {kNoMutation, "recombination alone",
      [](ExperimentSettings& s) {
          s.mutation.scheme = "none";
+         s.population.tuned = 0.0;
          s.breeding.shares = {{"asexual", 0.0}, {"crossover", 0.5}, {"grafting", 0.5}};
      }},
     {kRank, "selection by rank", select_by<kRank>},

@@ -158,6 +158,20 @@ void add_population(std::vector<SettingField>& fields) {
         "The number of new random creatures in each generation.",
         [](Settings & s) -> auto& { return s.population.immigrants; });
     table
+        .number(
+            "tuned", "Tuned offspring", "", Range{0, 1},
+            "The share of the offspring that copy the best creature of a lineage, with all or some "
+            "of its numbers changed a little.",
+            [](Settings & s) -> auto& { return s.population.tuned; })
+        .later = true;
+    SettingField& rhythmic = table.number(
+        "rhythmic", "Rhythmic founders", "", Range{0, 1},
+        "The share of random creatures whose limbs are chains, many of them in mirrored pairs, and "
+        "move at one frequency with random phases.",
+        [](Settings & s) -> auto& { return s.founders.rhythmic_share; });
+    rhythmic.live = false;
+    rhythmic.later = true;
+    table
         .choice(
             "fill", "Fill up with", {"mutants", "random"},
             "The creatures that fill up the population if founders are given: mutants of the "

@@ -2,6 +2,7 @@
 
 #include "core/assert.h"
 #include "genome/founders/random_gene.h"
+#include "genome/founders/rhythmic_genome.h"
 #include "genome/gene_fields.h"
 
 #include <algorithm>
@@ -81,9 +82,12 @@ bool has_movable_joint(const Genome& genome, const KindCatalog& catalog) {
 Genome random_genome(const FounderSettings& settings, const KindCatalog& catalog,
                      RandomStream& stream) {
     const GenePool pool{settings, catalog};
-    Genome genome = draw_genome(pool, stream);
+    const bool rhythmic = settings.rhythmic_share > 0.0 && may_be_rhythmic(pool) &&
+                          stream.chance(settings.rhythmic_share);
+    const auto draw_one = rhythmic ? rhythmic_genome : draw_genome;
+    Genome genome = draw_one(pool, stream);
     for (int draw = 0; draw < kRedraws && !has_movable_joint(genome, catalog); ++draw)
-        genome = draw_genome(pool, stream);
+        genome = draw_one(pool, stream);
     CAMBRIAN_TICK_ASSERT(validate(genome, catalog).empty(), "founders are valid");
     return genome;
 }
