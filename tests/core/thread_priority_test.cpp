@@ -5,6 +5,7 @@
 
 #ifdef __linux__
 
+#include <algorithm>
 #include <sys/resource.h>
 #include <thread>
 #include <vector>
@@ -19,14 +20,18 @@ int niceness() {
 TEST_CASE("a thread in the background steps back, and only it", "[core][thread_priority]") {
     const int before = niceness();
     int normal = 0;
+    int serving = 0;
     int background = 0;
     std::jthread([&] {
         take_priority(ThreadPriority::kNormal);
         normal = niceness();
+        take_priority(ThreadPriority::kServing);
+        serving = niceness();
         take_priority(ThreadPriority::kBackground);
         background = niceness();
     }).join();
     CHECK(normal == before);
+    CHECK(serving == std::max(before, 10));
     CHECK(background == 19);
     CHECK(niceness() == before);
 }

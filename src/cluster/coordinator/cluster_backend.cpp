@@ -344,7 +344,9 @@ bool ClusterBackend::publish_unit(Call& call) {
     return outcome == Publishing::kTooLarge;
 }
 
+// Beside evaluations in the background there is a window, which must not wait for messages.
 void ClusterBackend::dispatch(const std::stop_token& stop) {
+    if (options_.priority == ThreadPriority::kBackground) take_priority(ThreadPriority::kServing);
     double next_hello = 0.0;
     while (!stop.stop_requested()) {
         take(queue_->poll(kLongestPoll));
