@@ -76,12 +76,14 @@ class Cluster:
     machines would take nothing of this one's cores, and these take only what the window leaves."""
 
     def __init__(self, folder, options):
+        os.sched_setscheduler(0, os.SCHED_IDLE, os.sched_param(0))  # whatever is started has it
         self.server = NatsServer(folder / "server")
         self.workers = [
-            subprocess.Popen(["chrt", "--idle", "0", options.program, "worker", self.server.url, "--threads", "1",
+            subprocess.Popen([options.program, "worker", self.server.url, "--threads", "1",
                               "--name", f"worker {i}"], stdin=subprocess.DEVNULL,
                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             for i in range(options.workers)]
+        os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
 
     def close(self):
         for worker in self.workers:
@@ -199,13 +201,13 @@ def quantile(values, share):
 
 
 def measure_frames(display, folder, options, cluster):
-    """Evolves for some time while the help card opens and closes; with a cluster, the table of
-    machines is shown behind it."""
+    """Evolves for some time while the help card opens and closes in front of the table of
+    machines."""
     studio = Studio(display, folder, options, EVOLVING.format(size=options.size), cluster)
     if cluster:
         while studio.events("machines")[-1]["machines"] <= options.workers:
             studio.wait_for("machines", count=len(studio.events("machines")) + 1)
-        display.tool("key", "ctrl+m")
+    display.tool("key", "ctrl+m")
     end = studio.launched + options.seconds
     time.sleep(5.0)
     toggle = Toggle(studio)
