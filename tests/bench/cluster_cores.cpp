@@ -20,6 +20,7 @@
 #include "simulator/simulator_version.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -29,6 +30,7 @@
 #include <map>
 #include <mutex>
 #include <stdexcept>
+#include <sys/resource.h>
 #include <thread>
 #include <vector>
 
@@ -37,6 +39,39 @@ using namespace cambrian;
 namespace {
 
 constexpr int kCoresOfMachine = 8;
+
+// Efficiencies of a prototype without checks and breeding, from which the help page estimates how
+// many cores a run can use.
+struct Prototype {
+    int creatures = 0;
+    double mean_ms = 0.0;
+    int cores = 0;
+    double efficiency = 0.0;  // %
+};
+constexpr Prototype kPrototypes[] = {{300, 3.0, 16, 64.0},
+                                     {300, 10.0, 16, 86.0},
+                                     {2'000, 10.0, 64, 83.0},
+                                     {2'000, 40.0, 64, 92.0},
+                                     {20'000, 10.0, 256, 67.0}};
+
+std::string prototype_efficiency(int creatures, double mean_ms, int cores) {
+    for (const Prototype& each : kPrototypes) {
+        if (each.creatures == creatures && each.mean_ms == mean_ms && each.cores == cores)
+            return fmt::format("{:.0f} %", each.efficiency);
+    }
+    return "–";
+}
+
+// Returns the processor time of this process, in s: that of the coordinators and of both sides'
+// text.
+double processor_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
 
 // The result of an evaluation that was made in advance.
 struct Answer {
@@ -330,13 +365,17 @@ Status measure(const Bench& bench, int cores, const ExperimentSettings& settings
     }
     const auto before = evaluate_runs(*backends, bench.warm_up, settings, rehearsal);
     if (!before) return before.error();
+    const double processor_before = processor_seconds();
     const auto times = evaluate_runs(*backends, bench.generations, settings, rehearsal);
     if (!times) return times.error();
+    const double used = processor_seconds() - processor_before;
     const double generation = times->generation(bench.runs);
     const double ideal = bench.runs * core_seconds(rehearsal) / cores;
-    std::printf("| %d x %zu x %.1f ms | %d | %.0f | %.0f | %.0f | %.0f %% |\n", bench.runs,
-                rehearsal.batch.size(), mean_ms(rehearsal), cores, 1e3 * ideal, 1e3 * generation,
-                1e3 * times->generations.back(), 100.0 * ideal / generation);
+    std::printf("| %d x %zu x %.1f ms | %d | %.0f | %.0f | %.0f | %.0f %% | %s | %.0f |\n",
+                bench.runs, rehearsal.batch.size(), mean_ms(rehearsal), cores, 1e3 * ideal,
+                1e3 * generation, 1e3 * times->generations.back(), 100.0 * ideal / generation,
+                prototype_efficiency(bench.population, bench.mean_ms, cores).c_str(),
+                1e3 * used / bench.generations);
     std::fflush(stdout);
     return {};
 }
@@ -351,8 +390,9 @@ int run(const Bench& bench) {
     settings->population.size = bench.population;
     const Rehearsal rehearsal = rehearse(*settings, bench.mean_ms, kinds);
     std::printf(
-        "| runs x creatures | cores | ideal ms | generation ms | worst ms | efficiency |\n"
-        "|---|---|---|---|---|---|\n");
+        "| runs x creatures | cores | ideal ms | generation ms | worst ms | efficiency | prototype "
+        "| processor ms |\n"
+        "|---|---|---|---|---|---|---|---|\n");
     for (const int cores : bench.cores) {
         if (const Status done = measure(bench, cores, *settings, rehearsal, kinds); !done) {
             std::fprintf(stderr, "%s\n", done.error().message.c_str());
