@@ -19,10 +19,10 @@ import unittest
 from cluster_program import ClusterTest
 from experiment_tables import digests
 
-# The run lasts about a minute on a core that is shared.
+GENERATIONS = 60  # of a short run, which lasts about a minute on a core that is shared
 SETTINGS = """
 [run]
-generations = 60
+generations = {}
 [population]
 size = 40
 [trial]
@@ -37,10 +37,11 @@ class Soak(ClusterTest):
     def test_memory_stays_flat_and_streams_are_left_empty(self):
         os.nice(19)
         chance = random.Random(1)
-        expected = self.local_digests(SETTINGS)
+        settings = SETTINGS.format(GENERATIONS)
+        expected = self.local_digests(settings)
         server = self.start_server()
         steady = self.start_worker(server.url, "steady")
-        endless = SETTINGS.replace("generations = 60", "generations = 1000000")
+        endless = SETTINGS.format(1_000_000)
         # The lines go to a file, since a pipe without a reader would be full after some
         # generations.
         long = self.evolve("long", "--cluster", server.url, settings=endless,
@@ -56,7 +57,7 @@ class Soak(ClusterTest):
                 run, finished = None, finished + 1
             if not run:
                 (self.folder / "short.cambrian").unlink(missing_ok=True)
-                run = self.evolve("short", "--cluster", server.url, settings=SETTINGS)
+                run = self.evolve("short", "--cluster", server.url, settings=settings)
             if chance.random() < 0.2 and len(passing) < 2:
                 passing.append(self.start_worker(server.url, "passing"))
             elif chance.random() < 0.2 and passing:
@@ -95,6 +96,9 @@ class Soak(ClusterTest):
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--minutes", type=float, default=MINUTES)
+    parser.add_argument("--generations", type=int, default=GENERATIONS,
+                        help="of each short run")
     asked, rest = parser.parse_known_args()
     MINUTES = asked.minutes
+    GENERATIONS = asked.generations
     unittest.main(argv=[sys.argv[0], *rest])
