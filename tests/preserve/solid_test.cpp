@@ -14,6 +14,16 @@ ExperimentSettings solid_world() {
     return settings;
 }
 
+// A solid world in which creatures meet all the time.
+ExperimentSettings narrow_world() {
+    ExperimentSettings settings = solid_world();
+    settings.preserve.width = 6.0;
+    settings.preserve.height = 6.0;
+    settings.preserve.energy_density = 300.0;
+    settings.preserve.founders = 12;
+    return settings;
+}
+
 TEST_CASE("energy is constant to the last unit among solid creatures", "[preserve][solid]") {
     ExperimentSettings settings = solid_world();
     settings.preserve.founders = 16;
@@ -87,12 +97,7 @@ TEST_CASE("solid creatures do not overlap", "[preserve][solid]") {
 }
 
 TEST_CASE("a solid hunter bites what its mouth touches", "[preserve][solid]") {
-    ExperimentSettings settings = solid_world();
-    settings.preserve.width = 6.0;
-    settings.preserve.height = 6.0;
-    settings.preserve.energy_density = 300.0;
-    settings.preserve.founders = 12;
-    const auto preserve = begun(settings, {eater(1.0, 0.4), eater(0.0), eater(0.0)});
+    const auto preserve = begun(narrow_world(), {eater(1.0, 0.4), eater(0.0), eater(0.0)});
     ThreadPool pool(1);
     Energy bitten = 0;
     for (int tick = 0; tick < 3600; ++tick) {
@@ -107,11 +112,7 @@ TEST_CASE("a solid hunter bites what its mouth touches", "[preserve][solid]") {
 
 TEST_CASE("with ramming a mouth takes energy in proportion to what its impacts took",
           "[preserve][solid]") {
-    ExperimentSettings settings = solid_world();
-    settings.preserve.width = 6.0;
-    settings.preserve.height = 6.0;
-    settings.preserve.energy_density = 300.0;
-    settings.preserve.founders = 12;
+    ExperimentSettings settings = narrow_world();
     settings.preserve.bite_power = 0.0;
     settings.preserve.ramming = 50.0;
     const auto preserve = begun(settings, {eater(1.0, 0.4), eater(0.0), eater(0.0)});
@@ -146,11 +147,7 @@ TEST_CASE("with ramming a mouth takes energy in proportion to what its impacts t
 
 TEST_CASE("without ramming or the power to bite nobody loses energy to mouths",
           "[preserve][solid]") {
-    ExperimentSettings settings = solid_world();
-    settings.preserve.width = 6.0;
-    settings.preserve.height = 6.0;
-    settings.preserve.energy_density = 300.0;
-    settings.preserve.founders = 12;
+    ExperimentSettings settings = narrow_world();
     settings.preserve.bite_power = 0.0;
     const auto preserve = begun(settings, {eater(1.0, 0.4), eater(0.0), eater(0.0)});
     run_to(*preserve, 600);
