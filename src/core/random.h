@@ -26,6 +26,7 @@ enum class Purpose : std::uint64_t {
     kPicking = 7,
     kLight = 8,
     kPreserve = 9,
+    kOpponent = 10,
     kTest = 99,
 };
 

@@ -3,6 +3,7 @@
 #include "core/assert.h"
 #include "creature/placement.h"
 #include "genome/genome_graph.h"
+#include "math/angle.h"
 
 #include <algorithm>
 #include <array>
@@ -35,13 +36,14 @@ MotorMode mode_of(const std::string& id) {
 class Growth {
 public:
     Growth(const Genome& genome, const Kinds& kinds, const ExpressionSettings& settings,
-           const SceneSettings& scene, Phenotype& phenotype)
+           const SceneSettings& scene, Side side, Phenotype& phenotype)
         : genome_(genome),
           scene_kind_(kinds.scene),
           organs_(kinds.organs),
           settings_(settings),
           scene_(scene),
           motor_mode_(mode_of(scene.motor_mode)),
+          is_mirrored_(side == Side::kMirrored),
           phenotype_(phenotype),
           reaches_(reachability(genome)),
           neurons_(genome.brain.size()) {}
@@ -63,7 +65,9 @@ private:
         Bud bud;
         bud.part.length = node.length;
         bud.part.width = node.width;
-        bud.body = place_root(node.length, node.width, genome_.root_angle);
+        if (is_mirrored_) bud.part.handedness = -1;
+        bud.body = place_root(node.length, node.width,
+                              is_mirrored_ ? kPi - genome_.root_angle : genome_.root_angle);
         bud.growing.occurrences[0] = 1;
         return bud;
     }
@@ -226,6 +230,7 @@ private:
     const ExpressionSettings& settings_;
     const SceneSettings& scene_;
     MotorMode motor_mode_;
+    bool is_mirrored_;
     Phenotype& phenotype_;
     Reachability reaches_;
     std::vector<Growing> growing_;  // one per part
@@ -236,8 +241,8 @@ private:
 }  // namespace
 
 void grow(const Genome& genome, const Kinds& kinds, const ExpressionSettings& settings,
-          const SceneSettings& scene, Phenotype& phenotype) {
-    Growth(genome, kinds, settings, scene, phenotype).run();
+          const SceneSettings& scene, Side side, Phenotype& phenotype) {
+    Growth(genome, kinds, settings, scene, side, phenotype).run();
 }
 
 }  // namespace cambrian

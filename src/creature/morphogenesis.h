@@ -8,6 +8,6 @@ namespace cambrian {
 
 // Adds the parts and body plan of a valid genome to the phenotype; wire() adds the neurons.
 void grow(const Genome& genome, const Kinds& kinds, const ExpressionSettings& settings,
-          const SceneSettings& scene, Phenotype& phenotype);
+          const SceneSettings& scene, Side side, Phenotype& phenotype);
 
 }  // namespace cambrian

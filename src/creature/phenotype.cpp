@@ -42,10 +42,10 @@ double Phenotype::rest_length() const {
 }
 
 Phenotype express(const Genome& genome, const Kinds& kinds, const ExpressionSettings& settings,
-                  const SceneSettings& scene) {
+                  const SceneSettings& scene, Side side) {
     CAMBRIAN_ASSERT(!genome.nodes.empty(), "a valid genome has a root");
     Phenotype phenotype;
-    grow(genome, kinds, settings, scene, phenotype);
+    grow(genome, kinds, settings, scene, side, phenotype);
     CAMBRIAN_TICK_ASSERT(phenotype.parts.size() == phenotype.plan.parts.size(), "a body a part");
     CAMBRIAN_TICK_ASSERT(
         phenotype.parts.size() <= static_cast<std::size_t>(std::max(settings.max_parts, 1)),

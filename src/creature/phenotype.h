@@ -87,8 +87,11 @@ struct Phenotype {
     double rest_length() const;         // m, greatest distance between two corners at rest
 };
 
+// Which of its two mirror images a creature grows into. They behave alike, left for right.
+enum class Side : std::uint8_t { kGiven, kMirrored };
+
 // Grows a valid genome (creature/README.md 1). Never fails; limits truncate the body evenly.
 Phenotype express(const Genome& genome, const Kinds& kinds, const ExpressionSettings& settings,
-                  const SceneSettings& scene);
+                  const SceneSettings& scene, Side side = Side::kGiven);
 
 }  // namespace cambrian

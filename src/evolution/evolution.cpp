@@ -4,6 +4,7 @@
 #include "evolution/evaluation/trials.h"
 #include "evolution/generation.h"
 #include "evolution/individual/map_axis.h"
+#include "evolution/opponents.h"
 #include "evolution/selections/survival.h"
 
 #include <algorithm>
@@ -38,7 +39,8 @@ Evolution::Evolution(EvolutionState state, const EvolutionKinds& kinds)
       memory_(std::move(state.memory)),
       population_(std::move(state.population)),
       history_(std::move(state.history)),
-      termination_audit_(state.termination_audit) {}
+      termination_audit_(state.termination_audit),
+      champions_(std::move(state.champions)) {}
 
 IndividualPtr Evolution::make_founder(std::size_t slot,
                                       const std::vector<GenomePtr>& founders) const {
@@ -65,6 +67,7 @@ bool Evolution::evaluate(EvaluationBackend& backend, EvaluationProgress& progres
                          const std::stop_token& stop) {
     if (evaluated_) return true;
     if (std::exchange(renewal_due_, false)) renew_chance();
+    meet_opponents();
     plan_evaluations();
     if (!backend.evaluate(requests_, results_, *settings_, progress, stop)) return false;
     std::vector<IndividualPtr> ranked;
@@ -220,6 +223,7 @@ void Evolution::forget_plan() {
 void Evolution::breed() {
     CAMBRIAN_ASSERT(evaluated_, "only an evaluated generation breeds");
     ++generation_;
+    champions_.push_back(population_.front()->genome);
     const auto renewal = static_cast<std::uint32_t>(settings_->world.trial.renewal);
     renewal_due_ = renewal > 0 && generation_ % renewal == 0;
     ExperimentSettings present = *settings_;
@@ -264,12 +268,34 @@ void Evolution::renew_chance() {
     replace_settings(std::make_shared<const ExperimentSettings>(std::move(renewed)));
 }
 
+// Draws the opponents of this generation, which discards all scores.
+void Evolution::meet_opponents() {
+    const TrialWorld& world = settings_->world;
+    Opponents drawn;
+    if (kinds_->goals.find(settings_->goal)->is_contest) {
+        if (opponents_drawn_ == generation_ && !world.opponents.genomes.empty()) return;
+        drawn = draw_opponents({champions_, population_}, *settings_, generation_);
+        opponents_drawn_ = generation_;
+    }
+    if (drawn == world.opponents) return;
+    ExperimentSettings changed = *settings_;
+    changed.world.opponents = std::move(drawn);
+    take_settings(std::make_shared<const ExperimentSettings>(std::move(changed)));
+}
+
 void Evolution::replace_settings(SettingsPtr settings) {
-    if (settings->world.trial.draw < settings_->world.trial.draw) {
+    const TrialWorld& present = settings_->world;
+    if (settings->world.trial.draw < present.trial.draw ||
+        !(settings->world.opponents == present.opponents)) {
         ExperimentSettings kept = *settings;
-        kept.world.trial.draw = settings_->world.trial.draw;
+        kept.world.trial.draw = std::max(kept.world.trial.draw, present.trial.draw);
+        kept.world.opponents = present.opponents;
         settings = std::make_shared<const ExperimentSettings>(std::move(kept));
     }
+    take_settings(std::move(settings));
+}
+
+void Evolution::take_settings(SettingsPtr settings) {
     const bool keeps_scores = same_judgement(*settings_, *settings);
     const bool keeps_threshold = settings_->terminate_early == settings->terminate_early;
     settings_ = std::move(settings);

@@ -25,6 +25,7 @@ struct EvolutionState {
     std::vector<GenerationStatistics> history;
     SelectionMemory memory;
     TerminationAudit termination_audit;
+    std::vector<GenomePtr> champions;  // the best of each generation before this one, in order
 };
 
 class Evolution {
@@ -52,7 +53,8 @@ public:
     void breed();
 
     // Changes the settings from the next breed() or evaluate() on. A change of world or goal
-    // discards all scores. The number of draws never decreases.
+    // discards all scores. The number of draws never decreases, and opponents stay those that were
+    // drawn.
     void replace_settings(SettingsPtr settings);
     // Discards all scores: the next evaluate() evaluates all creatures again. Scores of a
     // generation that is already evaluated still decide who breeds.
@@ -81,6 +83,8 @@ private:
     void update_threshold(const std::vector<IndividualPtr>& next);
     void forget_plan();
     void renew_chance();
+    void take_settings(SettingsPtr settings);
+    void meet_opponents();
     bool score_as_known(std::size_t slot, std::uint64_t phenotype);
     void remember_scores();
     void record_generation();
@@ -104,6 +108,9 @@ private:
 
     std::optional<double> least_survivor_;  // fitness that may suffice to survive, if known
     TerminationAudit termination_audit_;
+    std::vector<GenomePtr> champions_;  // the best of each generation before this one
+    // Generation for which opponents were drawn last.
+    std::optional<std::uint32_t> opponents_drawn_;
     // Results of the last generation, by phenotype.
     std::map<std::uint64_t, EvaluationResult> known_results_;
     int known_scores_ = 0;  // number of creatures of this generation with such a result

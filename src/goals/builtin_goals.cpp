@@ -7,6 +7,7 @@ void register_jumping(GoalRegistry& goals);
 void register_swimming(GoalRegistry& goals);
 void register_seeking(GoalRegistry& goals);
 void register_flying(GoalRegistry& goals);
+void register_competition(GoalRegistry& goals);
 
 GoalRegistry builtin_goals() {
     GoalRegistry goals;
@@ -15,6 +16,7 @@ GoalRegistry builtin_goals() {
     register_swimming(goals);
     register_seeking(goals);
     register_flying(goals);
+    register_competition(goals);
     return goals;
 }
 

@@ -41,6 +41,9 @@ struct GoalKind {
     std::vector<std::string> senses = {};
     // Allows early termination of trials, which extrapolates from the best speed so far.
     bool may_give_up = true;
+    // Creatures contend with opponents for a cube. A run draws the opponents of each generation
+    // from its earlier champions (evolution/opponents.h).
+    bool is_contest = false;
     // Returns why the goal is impossible in an environment, as half a sentence; empty if it is
     // possible.
     std::string (*mismatch)(const Environment& environment) = nullptr;

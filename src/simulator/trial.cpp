@@ -12,11 +12,8 @@
 namespace cambrian {
 namespace {
 
-constexpr double kStartClearance = 0.02;  // m, lowest corner above ground
-// A creature has settled when its kinetic energy stays below this.
-constexpr double kCalmEnergy = 0.001;  // J per part
-constexpr int kCalmTicks = 24;         // 0.4 s
-constexpr int kDeepTicks = 12;         // 0.2 s
+constexpr int kCalmTicks = 24;  // 0.4 s
+constexpr int kDeepTicks = 12;  // 0.2 s
 // Trials with fewer evaluations take some tenths of a second and are finished rather than
 // interrupted.
 constexpr std::uint64_t kLongTrial = 100000;  // evaluations
@@ -25,15 +22,14 @@ int ticks_in(double seconds) {
     return static_cast<int>(std::lround(seconds / kBrainTick));
 }
 
-UsedSenses senses_of(const Phenotype& phenotype, const Kinds& kinds) {
-    UsedSenses used{.voices = phenotype.organs.size()};
-    for (const GrownOrgan& organ : phenotype.organs)
-        used.scents |= kinds.organs[organ.kind].scents;
-    for (const WiredSensor& sensor : phenotype.sensors) {
-        used.hears |= kinds.sensors[sensor.kind].hears;
-        used.smells |= kinds.sensors[sensor.kind].smells;
-    }
-    return used;
+Result<std::unique_ptr<Bout>> begin_bout(const Kinds& kinds, const TrialWorld& world,
+                                         PhysicsScene& own) {
+    std::shared_ptr<const Phenotype> opponent;
+    if (const GenomePtr genome = world.opponents.of_trial(world.light.trial))
+        opponent = std::make_shared<const Phenotype>(
+            express(*genome, kinds, world.expression, world.scene, Side::kMirrored));
+    return Bout::start(std::move(opponent), kinds, {world.environment, world.scene, world.light},
+                       own);
 }
 
 }  // namespace
@@ -42,14 +38,22 @@ Result<std::unique_ptr<Trial>> Trial::start(std::shared_ptr<const Phenotype> phe
                                             const Kinds& kinds, const TrialWorld& world) {
     auto scene = kinds.scene.make(phenotype->plan, world.environment, world.scene);
     if (!scene) return scene.error();
-    return std::unique_ptr<Trial>(new Trial(std::move(phenotype), kinds, world, std::move(*scene)));
+    std::unique_ptr<Bout> bout;
+    if (world.trial.has_cube) {
+        auto begun = begin_bout(kinds, world, **scene);
+        if (!begun) return begun.error();
+        bout = std::move(*begun);
+    }
+    return std::unique_ptr<Trial>(
+        new Trial(std::move(phenotype), kinds, world, {std::move(*scene), std::move(bout)}));
 }
 
 Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
-             const TrialWorld& world, std::unique_ptr<PhysicsScene> scene)
+             const TrialWorld& world, Bodies bodies)
     : phenotype_(std::move(phenotype)),
       world_(world),
-      scene_(std::move(scene)),
+      scene_(std::move(bodies.scene)),
+      bout_(std::move(bodies.bout)),
       surroundings_(world_.environment, world_.light, phenotype_->rest_length(),
                     senses_of(*phenotype_, kinds)),
       creature_(*phenotype_, kinds, world_.scene),
@@ -64,19 +68,34 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
         static_cast<std::size_t>(ticks_in(world_.trial.duration) / kTicksPerSample) + 2);
     impacts_.reserve(kMostImpacts);
     if (world_.environment.has_light) progress_.record.legs.reserve(leg_count());
-    place_at_start();
-    scene_->add_to_digest(progress_.digest);
+    if (!bout_) place_at_start();
+    add_to_digest();
     progress_.settling = world_.environment.has_ground && world_.trial.settle_limit > 0.0;
     if (!progress_.settling) {
         begin_test();
     } else if (world_.trial.settle_motors_off) {
-        scene_->set_motors_off(true);
+        set_motors_off(true);
     }
+}
+
+void Trial::set_motors_off(bool off) {
+    scene_->set_motors_off(off);
+    if (bout_) bout_->set_motors_off(off);
+}
+
+SceneStatus Trial::advance() {
+    return bout_ ? bout_->advance(*scene_, kBrainTick) : scene_->advance(kBrainTick);
+}
+
+void Trial::add_to_digest() {
+    scene_->add_to_digest(progress_.digest);
+    if (bout_) bout_->add_to_digest(progress_.digest);
 }
 
 void Trial::set_environment(const Environment& environment) {
     scene_->set_environment(environment);
     surroundings_.set_environment(environment);
+    if (bout_) bout_->set_environment(environment);
 }
 
 void Trial::place_at_start() {
@@ -99,12 +118,14 @@ bool Trial::tick() {
 
 void Trial::settle_tick() {
     creature_.hold_rest(*scene_);
-    if (const SceneStatus status = scene_->advance(kBrainTick); status != SceneStatus::kRunning) {
+    if (bout_) bout_->hold_rest();
+    if (const SceneStatus status = advance(); status != SceneStatus::kRunning) {
         fail_with(status);
         return;
     }
-    const double calm = kCalmEnergy * static_cast<double>(phenotype_->parts.size());
-    progress_.calm_ticks = scene_->kinetic_energy() < calm ? progress_.calm_ticks + 1 : 0;
+    const bool calm = scene_->kinetic_energy() < calm_energy(phenotype_->parts.size()) &&
+                      (!bout_ || bout_->is_calm());
+    progress_.calm_ticks = calm ? progress_.calm_ticks + 1 : 0;
     progress_.record.settle_time = static_cast<double>(progress_.total_ticks) * kBrainTick;
     const bool out_of_time =
         static_cast<int>(progress_.total_ticks) >= ticks_in(world_.trial.settle_limit);
@@ -112,7 +133,7 @@ void Trial::settle_tick() {
 }
 
 void Trial::begin_test() {
-    if (progress_.settling && world_.trial.settle_motors_off) scene_->set_motors_off(false);
+    if (progress_.settling && world_.trial.settle_motors_off) set_motors_off(false);
     progress_.settling = false;
     scene_->restart_audit();
     for (const std::uint16_t part : phenotype_->effector_parts) {
@@ -142,9 +163,10 @@ void Trial::move_light() {
         progress_.record.legs.begin(distance_to_light());
 }
 
-// Returns whether nothing can move any more. A moving light or a smell may wake a resting creature.
+// Returns whether nothing can move any more. A moving light, a smell or an opponent may wake a
+// resting creature.
 bool Trial::rests() {
-    return world_.trial.stop_at_rest && !surroundings_.changes() &&
+    return world_.trial.stop_at_rest && !bout_ && !surroundings_.changes() &&
            progress_.rest.watch(*scene_, creature_.brain());
 }
 
@@ -157,7 +179,8 @@ void Trial::pass_on_emissions() {
 void Trial::test_tick() {
     move_light();
     creature_.act(*scene_, surroundings_, kBrainTick);
-    const SceneStatus status = scene_->advance(kBrainTick);
+    if (bout_) bout_->act(progress_.test_ticks);
+    const SceneStatus status = advance();
     pass_on_emissions();
     ++progress_.test_ticks;
     if (progress_.finished) return;
@@ -206,7 +229,7 @@ void Trial::sample() {
     const Vec3 sides = bounds.high - bounds.low;
     progress_.record.body_length = std::max({progress_.record.body_length, sides.x(), sides.y()});
     progress_.record.samples.push_back({time(), scene_->center_of_mass(), bounds});
-    scene_->add_to_digest(progress_.digest);
+    add_to_digest();
 }
 
 void Trial::check_guards() {
@@ -237,12 +260,15 @@ void Trial::fail_with(SceneStatus status) {
 }
 
 Trial::State Trial::save() const {
-    return {scene_->save(), creature_.save(), surroundings_.save(), progress_};
+    State state{scene_->save(), creature_.save(), surroundings_.save(), progress_, {}};
+    if (bout_) state.bout = bout_->save();
+    return state;
 }
 
 void Trial::restore(const State& state) {
-    scene_->set_motors_off(state.progress.settling && world_.trial.settle_motors_off);
+    set_motors_off(state.progress.settling && world_.trial.settle_motors_off);
     scene_->restore(*state.scene);
+    if (bout_) bout_->restore(*state.bout, *scene_);
     creature_.restore(state.creature);
     surroundings_.restore(state.surroundings);
     progress_ = state.progress;
@@ -265,6 +291,7 @@ void Trial::finish() {
     progress_.finished = true;
     progress_.record.audit = scene_->audit();
     progress_.record.digest = progress_.digest.value();
+    if (bout_) progress_.record.bout = bout_->distances(*scene_);
     int most = 0;
     int all = 0;
     for (const ReversalCounter& joint : progress_.reversals) {

@@ -7,6 +7,8 @@
 #include "core/hash.h"
 #include "core/result.h"
 #include "creature/creature.h"
+#include "simulator/contest/bout.h"
+#include "simulator/contest/opponents.h"
 #include "simulator/rest_watch.h"
 #include "simulator/reversals.h"
 #include "simulator/settings/trial_settings.h"
@@ -17,6 +19,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stop_token>
 
 namespace cambrian {
@@ -26,7 +29,11 @@ struct TrialWorld {
     Environment environment;
     SceneSettings scene;
     TrialSettings trial;
-    LightDraw light;  // unset in settings; follows from their seed (evolution/evaluation/trials.h)
+    // Whom the creature contends with. A run draws them for each generation.
+    Opponents opponents;
+    // The following are unset in settings and follow from them (evolution/evaluation/trials.h).
+    LightDraw light;
+    ExpressionSettings expression;  // of the opponents
 
     friend bool operator==(const TrialWorld&, const TrialWorld&) = default;
 };
@@ -75,6 +82,8 @@ public:
     const Phenotype& phenotype() const { return *phenotype_; }
     PhysicsScene& scene() { return *scene_; }
     const PhysicsScene& scene() const { return *scene_; }
+    // The cube and the opponent of a contest; null in other trials.
+    const Bout* bout() const { return bout_.get(); }
     const TrialSurroundings& surroundings() const { return surroundings_; }
     // Changes the environment of the scene and the sensors from the next tick on, when a user edits
     // it. world() does not change.
@@ -87,6 +96,7 @@ public:
         Creature::State creature;
         TrialSurroundings::Moment surroundings;
         Progress progress;
+        std::optional<Bout::State> bout;
     };
     State save() const;
     // Restores a state that this trial saved, and continues with the same bits. The scene must have
@@ -100,9 +110,17 @@ public:
     TrialRecord take_record() { return std::move(progress_.record); }
 
 private:
+    // The creature, and what it contends with, if anything.
+    struct Bodies {
+        std::unique_ptr<PhysicsScene> scene;
+        std::unique_ptr<Bout> bout;
+    };
     Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds, const TrialWorld& world,
-          std::unique_ptr<PhysicsScene> scene);
+          Bodies bodies);
     void place_at_start();
+    void set_motors_off(bool off);
+    SceneStatus advance();
+    void add_to_digest();
     void settle_tick();
     void test_tick();
     void begin_test();
@@ -121,6 +139,7 @@ private:
     std::shared_ptr<const Phenotype> phenotype_;
     TrialWorld world_;
     std::unique_ptr<PhysicsScene> scene_;
+    std::unique_ptr<Bout> bout_;
     TrialSurroundings surroundings_;
     std::vector<SceneImpact> impacts_;  // of the last tick
     Creature creature_;

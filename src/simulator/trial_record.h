@@ -3,12 +3,14 @@
 // The record of a trial: sampled motion, the highest jump, the energy audit, a digest.
 
 #include "math/bounds.h"
+#include "simulator/contest/bout_distances.h"
 #include "simulator/jump_watch.h"
 #include "simulator/outcome.h"
 #include "simulator/surroundings/light_legs.h"
 #include "world/physics_scene.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,7 @@ struct TrialRecord {
     std::vector<MotionSample> samples;  // every 0.1 s from 0 to duration, unless failed
     JumpWatch jumps;                    // of every tick of the test phase
     LightLegs legs;                     // of the same; none without a light
+    std::optional<BoutDistances> bout;  // at the end of a contest
     SceneAudit audit;                   // of the test phase
     std::uint64_t digest = 0;           // of the state at the start of settling and at every sample
 };

@@ -225,7 +225,7 @@ TEST_CASE("rescored survivors lose what another simulator gave them", "[evolutio
     Evolution honest(settings, kinds());
     run(honest, backend, 2);
     EvolutionState flattered{
-        settings, honest.generation(), honest.population(), honest.history(), {}, {}};
+        settings, honest.generation(), honest.population(), honest.history(), {}, {}, {}};
     for (IndividualPtr& each : flattered.population) {
         Individual changed = *each;
         changed.result.fitness += 1000.0;

@@ -30,6 +30,9 @@ std::uint64_t digest_of_trials(const GoalKind& goal, int first) {
     TrialWorld world;
     world.environment = goal.default_environment();
     world.trial.duration = kDuration;
+    world.trial.has_cube = goal.default_trial.has_cube;
+    if (goal.is_contest)
+        world.opponents.genomes = {std::make_shared<const Genome>(founder(first + 500))};
     Hash64 hash;
     for (int number = first, done = 0; done < kTrials; ++number) {
         const auto grown = std::make_shared<const Phenotype>(

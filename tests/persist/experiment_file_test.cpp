@@ -3,6 +3,7 @@
 #include "evolution/individual/ancestry_digest.h"
 #include "evolution/individual/population_digest.h"
 #include "persist/creature/creature_file.h"
+#include "persist/creature/rescoring.h"
 #include "persist/experiment/experiment_parts.h"
 #include "persist/records/experiment_schema.h"
 #include "persist/settings/settings_file.h"
@@ -170,6 +171,58 @@ TEST_CASE("resumed at any generation a run goes on as if never stopped",
         }
         CHECK(digests_of(path) == expected);
     }
+}
+
+TEST_CASE("a resumed contest goes on as if never stopped, with its opponents",
+          "[persist][experiment_file]") {
+    const TemporaryDirectory folder;
+    constexpr std::size_t kGenerations = 5;
+    ExperimentSettings settings = small_settings();
+    settings.goal = "competition";
+    settings.world.trial.has_cube = true;
+    settings.world.trial.trials = 3;
+    write_run(folder / "complete.cambrian", settings, kGenerations);
+    const auto complete = load_experiment(folder / "complete.cambrian", kinds());
+    REQUIRE(complete);
+    for (const JudgedIndividual& champion : complete->champions) {
+        CHECK(champion.settings->world.opponents.genomes.size() == 3);
+        const EvaluationResult again = run_scored_trial({.creature = champion}, kinds());
+        CHECK(again.digest == champion.individual->result.digest);
+        CHECK(again.fitness == unconfirmed_score(champion.individual->result));
+    }
+    for (const std::size_t stop : {1U, 3U}) {
+        const std::filesystem::path path = folder / ("stopped" + std::to_string(stop));
+        write_run(path, settings, stop);
+        {
+            auto opened = open_experiment(path, kinds());
+            REQUIRE(opened);
+            Evolution evolution = resumed(opened->saved, kinds());
+            run_on(evolution, *opened->file, kGenerations);
+        }
+        CHECK(digests_of(path) == complete->digests);
+    }
+}
+
+TEST_CASE("a creature file keeps the opponents of its contest", "[persist][experiment_file]") {
+    ExperimentSettings settings = small_settings();
+    settings.goal = "competition";
+    settings.world.trial.has_cube = true;
+    settings.world.trial.trials = 2;
+    settings.world.opponents.genomes = {crawler(kinds().creature.catalog),
+                                        fish(kinds().creature.catalog)};
+    JudgedIndividual creature = unjudged(crawler(kinds().creature.catalog), shared(settings));
+    change_individual(creature, [](Individual& each) { each.evaluated = true; });
+    CreatureDocument document{.creature = creature, .notes = {.unit = "points"}};
+    const EvaluationResult result = run_scored_trial(document, kinds());
+    change_individual(document.creature, [&](Individual& each) { each.result = result; });
+    const std::string text = write_creature(document, kinds());
+    const auto read = parse_creature(text, "it", kinds());
+    REQUIRE(read);
+    CHECK(read->settings().world.opponents == settings.world.opponents);
+    CHECK(same_score(*read, document));
+    CHECK(write_creature(*read, kinds()) == text);
+    const EvaluationResult again = run_scored_trial(*read, kinds());
+    CHECK(again.digest == document.result().digest);
 }
 
 TEST_CASE("commands given to a generation that was never finished are not lost",

@@ -3,6 +3,8 @@
 #include "core/hash.h"
 #include "persist/settings/settings_file.h"
 
+#include <fmt/core.h>
+
 namespace cambrian {
 namespace {
 
@@ -31,6 +33,11 @@ std::uint64_t settings_key(std::string_view text) {
 
 Result<JudgingSettings> judging_settings(const ExperimentSettings& settings,
                                          const EvolutionKinds& kinds) {
+    if (kinds.goals.find(settings.goal)->is_contest)
+        return Error{fmt::format(
+            "goal \"{}\" is evaluated on this machine only: opponents do not travel; start without "
+            "--cluster",
+            settings.goal)};
     const ExperimentSettings part = judging_part(settings, kinds);
     JudgingSettings judging;
     judging.text = write_settings(part, kinds);

@@ -26,6 +26,12 @@ BodyScene& body_scene(PhysicsScene& scene) {
 
 using Members = std::vector<SceneBody*>;
 
+struct JoinedState final : SceneState {
+    JoinedState(const PackedBody& saved, bool saved_new) : packed(saved), is_new(saved_new) {}
+    PackedBody packed;
+    bool is_new;
+};
+
 class JoinedBodies final : public JoinedScenes {
 public:
     explicit JoinedBodies(std::span<PhysicsScene* const> scenes) : offsets_(scenes.size()) {
@@ -41,6 +47,10 @@ public:
 
     SceneStatus advance(std::span<PhysicsScene* const> scenes, double duration,
                         SceneWorkspace& workspace) override;
+    std::unique_ptr<SceneState> save() const override {
+        return std::make_unique<JoinedState>(packed_, is_new_);
+    }
+    void restore(const SceneState& state) override;
 
 private:
     void begin(const Members& members);
@@ -119,6 +129,13 @@ SceneStatus JoinedBodies::move(const Members& members, double duration, StepCont
         spread(duration, *members[i], i);
     end_tick(*all_);
     return state.status;
+}
+
+void JoinedBodies::restore(const SceneState& state) {
+    const auto* joined = dynamic_cast<const JoinedState*>(&state);
+    CAMBRIAN_ASSERT(joined != nullptr, "a state of joined scenes");
+    packed_ = joined->packed;
+    is_new_ = joined->is_new;
 }
 
 // Takes over what the members do in the next tick, and their motions unless they still follow.

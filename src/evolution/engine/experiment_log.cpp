@@ -79,7 +79,12 @@ Evolution begun_anew(const SavedExperiment& saved, const EvolutionKinds& kinds) 
 
 Evolution resumed(const SavedExperiment& saved, const EvolutionKinds& kinds) {
     if (!saved.latest) return begun_anew(saved, kinds);
-    Evolution evolution(*saved.latest, kinds);
+    EvolutionState state = *saved.latest;
+    for (const JudgedIndividual& champion : saved.champions) {
+        if (champion.generation < state.generation)
+            state.champions.push_back(champion.individual->genome);
+    }
+    Evolution evolution(std::move(state), kinds);
     give_breeding_commands(evolution, saved.journal, saved.latest->generation);
     evolution.breed();
     give_commands(evolution, saved.journal, evolution.generation());

@@ -90,6 +90,7 @@ Jitter jitter_of(std::uint64_t trial_seed, int trial, const TrialSettings& setti
 TrialWorld first_trial_world(const ExperimentSettings& settings) {
     TrialWorld world = settings.world;
     if (world.light == LightDraw{}) world.light.seed = trial_seed(settings);
+    world.expression = settings.expression;
     return world;
 }
 

@@ -14,8 +14,11 @@ void add_goal(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
 
 Status check_goal(const Settings& settings, const EvolutionKinds& kinds) {
     const GoalKind* goal = kinds.goals.find(settings.goal);
-    if (goal == nullptr || goal->senses.empty()) return {};
+    if (goal == nullptr) return {};
     const std::string name = fmt::format("goal \"{}\"", goal->id);
+    if (goal->is_contest && !settings.world.trial.has_cube)
+        return Error{name + " has no cube to fight for: set [trial] cube = true"};
+    if (goal->senses.empty()) return {};
     if (!settings.world.environment.has_light)
         return Error{name + " has no light: set [environment] light = true"};
     if (may_sense(settings, *goal)) return {};

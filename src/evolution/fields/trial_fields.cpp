@@ -15,6 +15,13 @@ bool depends_on_chance(const Settings& settings) {
 }  // namespace
 
 void add_trials(TableBuilder& trial) {
+    trial
+        .flag(
+            "cube", "Cube",
+            "A free cube lies on the ground. The creature starts beside it, across from an "
+            "opponent if the goal is a competition.",
+            [](Settings & s) -> auto& { return s.world.trial.has_cube; })
+        .later = true;
     trial.number(
         "trials", "Trials", "", Range{1, 50},
         "The number of trials of each creature. The first is in the world as it is; further ones "

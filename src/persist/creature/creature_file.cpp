@@ -27,7 +27,8 @@ constexpr std::size_t kMaxFormat = 4096;  // bytes; only used in a message
 
 void read_scored(JsonReader& reader, ScoreText& scored, ExperimentSettings& settings,
                  const EvolutionKinds& kinds) {
-    describe_scored(reader, scored, settings, score_tables(kinds));
+    describe_scored(reader, scored, settings, score_tables(kinds),
+                    names_of(kinds.creature.catalog));
     settings.seed = scored.seed;
     const auto excess = trial_excess(settings.world);
     reader.require(!excess, "E07", "trial", excess.value_or(""));
@@ -74,6 +75,13 @@ void read_document(JsonReader& reader, CreatureText& text, ExperimentSettings& s
     reader.end();
 }
 
+// An error happens only if a gene has a rule that the reader does not know.
+void check_genome(const Genome& genome, const std::string& place, const KindCatalog& catalog,
+                  ErrorList& errors) {
+    for (const std::string& fault : validate(genome, catalog))
+        errors.error("E07", place, fault);
+}
+
 // Removes unreachable nodes (W02) and compares the stored hash (W03, unless 0).
 void finish_genome(Genome& genome, std::uint64_t check, const KindCatalog& catalog,
                    ErrorList& errors) {
@@ -89,9 +97,15 @@ void finish_genome(Genome& genome, std::uint64_t check, const KindCatalog& catal
     if (!unchanged) {
         errors.warn("W03", "/check", "does not match: the creature was changed by hand");
     }
-    // This happens only if a gene has a rule that the reader does not know.
-    for (const std::string& fault : validate(genome, catalog))
-        errors.error("E07", "", fault);
+    check_genome(genome, "", catalog, errors);
+}
+
+void finish_opponents(std::vector<Genome>& opponents, const KindCatalog& catalog,
+                      ErrorList& errors) {
+    for (std::size_t i = 0; i < opponents.size(); ++i) {
+        repair(opponents[i], catalog);
+        check_genome(opponents[i], fmt::format("/scored/opponents/{}", i), catalog, errors);
+    }
 }
 
 // Restores the individual. Of its result, the file has the fitness and what replays are compared
@@ -118,6 +132,9 @@ CreatureDocument document_of(CreatureText text, ExperimentSettings settings,
     CreatureDocument document;
     document.ancestry = text.ancestry;
     if (ScoreText* scored = text.scored ? &*text.scored : nullptr) {
+        for (Genome& opponent : scored->opponents)
+            settings.world.opponents.genomes.push_back(
+                std::make_shared<const Genome>(std::move(opponent)));
         document.notes = {.confirmed = scored->confirmed,
                           .unit = std::move(scored->unit),
                           .ticks = std::move(scored->ticks),
@@ -148,6 +165,9 @@ Identity identity_of(const Individual& individual, std::string uid) {
 }
 
 ScoreText score_text(const CreatureDocument& document) {
+    std::vector<Genome> opponents;
+    for (const GenomePtr& opponent : document.settings().world.opponents.genomes)
+        opponents.push_back(*opponent);
     return {.simulator = document.notes.simulator,
             .seed = document.settings().seed,
             .fitness = document.score(),
@@ -155,7 +175,8 @@ ScoreText score_text(const CreatureDocument& document) {
             .confirmed = document.notes.confirmed,
             .trajectory = document.result().digest,
             .ticks = document.notes.ticks,
-            .finer = document.result().finer};
+            .finer = document.result().finer,
+            .opponents = std::move(opponents)};
 }
 
 // Whether the recorded trial has the motion of the scored one, as far as one trial tells.
@@ -201,6 +222,7 @@ Result<CreatureDocument> parse_creature(std::string_view text, std::string_view 
     read_document(reader, read, settings, kinds);
     if (!errors.empty()) return errors.as_error(source);
     finish_genome(read.genome, read.check, kinds.creature.catalog, errors);
+    if (read.scored) finish_opponents(read.scored->opponents, kinds.creature.catalog, errors);
     if (!errors.empty()) return errors.as_error(source);
     return document_of(std::move(read), std::move(settings), errors.warnings());
 }
@@ -218,7 +240,7 @@ std::string write_creature(const CreatureDocument& document, const EvolutionKind
     if (document.scored()) {
         const ScoreText scored = score_text(document);
         writer.object("scored", JsonLayout::kLines, [&](JsonWriter& inner) {
-            describe_scored(inner, scored, document.settings(), score_tables(kinds));
+            describe_scored(inner, scored, document.settings(), score_tables(kinds), names);
         });
     }
     writer.digest("check", genome_hash(document.genome()));

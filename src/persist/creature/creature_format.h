@@ -74,6 +74,7 @@ struct ScoreText {
     std::uint64_t trajectory = 0;
     TickChecks ticks = {};
     std::optional<FinerResult> finer;
+    std::vector<Genome> opponents;
 };
 
 // The values of a creature file before they become an individual.
@@ -211,10 +212,12 @@ void describe_node(Archive& archive, Node& node, std::size_t node_count, const K
 
 template <class Archive, class Genes>
 void describe_genes(Archive& archive, Genes& genome, const KindNames& names) {
-    archive.list("nodes", genome.nodes, 1, gene_range::kMaxNodes, JsonLayout::kLines,
-                 [&](Archive& inner, auto& node) {
-                     describe_node(inner, node, genome.nodes.size(), names);
-                 });
+    // A schema, which has no nodes, allows every edge target.
+    const std::size_t node_count =
+        genome.nodes.empty() ? std::size_t{gene_range::kMaxNodes} : genome.nodes.size();
+    archive.list(
+        "nodes", genome.nodes, 1, gene_range::kMaxNodes, JsonLayout::kLines,
+        [&](Archive& inner, auto& node) { describe_node(inner, node, node_count, names); });
     archive.list("brain", genome.brain, 0, gene_range::kMaxBrainNeurons, JsonLayout::kLines,
                  [&](Archive& inner, auto& neuron) {
                      describe_neuron(inner, neuron, SourceScope::kBrain, names);
@@ -237,6 +240,16 @@ void begin_document(Archive& archive, const Genome& genome) {
 inline constexpr FieldRule kHue{
     .name = "hue", .key = "hue", .low = 0.0, .high = 1.0, .fallback = 0.0, .wraps = true};
 
+// The genes that belong to no part.
+template <class Archive, class Genes>
+void describe_traits(Archive& archive, Genes& genome, const KindNames& names) {
+    if (archive.has("hue")) archive.real("hue", genome.hue, kHue);
+    if (archive.has("reproduction"))
+        archive.choice("reproduction", genome.reproduction, names.reproductions, "breeding method");
+    if (archive.has("rootAngle"))
+        archive.real("rootAngle", genome.root_angle, genome_fields().front().rule);
+}
+
 template <class Archive, class Document>
 void describe_identity(Archive& archive, Document& document, const KindNames& names) {
     archive.type("creature");
@@ -246,11 +259,15 @@ void describe_identity(Archive& archive, Document& document, const KindNames& na
     if (archive.has("parents")) archive.texts("parents", document.parents, 2, kMaxUid);
     if (archive.has("method")) archive.text("method", document.method, kMaxWord);
     archive.optional_digest("ancestry", document.ancestry);
-    if (archive.has("hue")) archive.real("hue", genome.hue, kHue);
-    if (archive.has("reproduction"))
-        archive.choice("reproduction", genome.reproduction, names.reproductions, "breeding method");
-    if (archive.has("rootAngle"))
-        archive.real("rootAngle", genome.root_angle, genome_fields().front().rule);
+    describe_traits(archive, genome, names);
+}
+
+template <class Archive, class Genes>
+void describe_opponent(Archive& archive, Genes& genome, const KindNames& names) {
+    archive.type("opponent");
+    if (archive.has("name")) archive.text("name", genome.name, kMaxName);
+    describe_traits(archive, genome, names);
+    describe_genes(archive, genome, names);
 }
 
 // The settings a score depends on, in the tables they have in settings files.
@@ -259,6 +276,8 @@ struct ScoreTable {
     std::vector<SettingField> fields;
 };
 std::vector<ScoreTable> score_tables(const EvolutionKinds& kinds);
+
+inline constexpr std::size_t kMostOpponents = 50;  // as many as there may be trials
 
 template <class Archive, class Finer>
 void describe_finer(Archive& archive, Finer& finer) {
@@ -279,7 +298,7 @@ void describe_confirmed(Archive& archive, Confirmed& confirmed) {
 
 template <class Archive, class Scored, class Settings>
 void describe_scored(Archive& archive, Scored& scored, Settings& settings,
-                     const std::vector<ScoreTable>& tables) {
+                     const std::vector<ScoreTable>& tables, const KindNames& names) {
     archive.type("scored");
     for (const ScoreTable& table : tables) {
         if (!archive.has(table.name.c_str())) continue;
@@ -298,6 +317,9 @@ void describe_scored(Archive& archive, Scored& scored, Settings& settings,
     archive.optional_bytes("ticks", scored.ticks, kTicksASecond, kMostTickChecks);
     archive.optional_object("recomputed", scored.finer, JsonLayout::kCompact,
                             [](Archive& inner, auto& finer) { describe_finer(inner, finer); });
+    archive.optional_list(
+        "opponents", scored.opponents, kMostOpponents, JsonLayout::kLines,
+        [&](Archive& inner, auto& genome) { describe_opponent(inner, genome, names); });
 }
 
 // Appends a document without a score, on few lines.

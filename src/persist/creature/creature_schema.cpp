@@ -95,6 +95,8 @@ constexpr std::array kMeanings = {
     Meaning{"recomputed", "The result of the trial when it was computed more finely."},
     Meaning{"recomputed.outcome", "The outcome of that trial."},
     Meaning{"recomputed.fitness", "The score of that trial."},
+    Meaning{"opponents",
+            "The creatures it contended with, one for each trial, each with all of its genes."},
     Meaning{"verdict", "The verdict of the energy audit."},
 };
 
@@ -117,7 +119,7 @@ void describe_creature(JsonSchemaWriter& writer, CreatureText& document,
     ExperimentSettings settings;
     if (writer.has("scored")) {
         writer.object("scored", JsonLayout::kLines, [&](JsonSchemaWriter& inner) {
-            describe_scored(inner, document.scored.emplace(), settings, score_tables(kinds));
+            describe_scored(inner, document.scored.emplace(), settings, score_tables(kinds), names);
         });
     }
     if (writer.has("check")) writer.digest("check", 0);
@@ -128,7 +130,6 @@ void describe_creature(JsonSchemaWriter& writer, CreatureText& document,
 std::string creature_schema(const EvolutionKinds& kinds) {
     JsonSchemaWriter::Library library{.meaning = meaning_of};
     CreatureText document;
-    document.genome.nodes.resize(gene_range::kMaxNodes);  // allows every edge target in the schema
     const Json reference = JsonSchemaWriter::object_schema(
         library, [&](JsonSchemaWriter& writer) { describe_creature(writer, document, kinds); });
     Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},

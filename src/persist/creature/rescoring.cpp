@@ -15,6 +15,9 @@ namespace {
 // Returns the last generation, up to a given one, in which all creatures were evaluated.
 std::uint32_t last_judgement(const SavedExperiment& saved, std::uint32_t until) {
     std::uint32_t generation = 0;
+    if (until < saved.champions.size() &&
+        !saved.champions[until].settings->world.opponents.genomes.empty())
+        return until;
     SettingsPtr settings = saved.settings;
     for (const NotedCommand& noted : saved.journal) {
         if (noted.generation > until) break;

@@ -4,6 +4,7 @@
 #include "evolution/individual/population_digest.h"
 #include "persist/records/experiment_schema.h"
 #include "persist/records/individual_reader.h"
+#include "persist/records/kept_opponents.h"
 #include "persist/records/statistics_columns.h"
 #include "persist/settings/settings_file.h"
 
@@ -84,6 +85,7 @@ SettingsPtr read_settings(const Database& database, std::int64_t id, const Evolu
     if (row.text(0).size() > kMostSettings) throw DatabaseError(name + " are too large");
     Result<ExperimentSettings> parsed = parse_settings(row.text(0), name, kinds);
     if (!parsed) throw DatabaseError(parsed.error().message);
+    parsed->world.opponents = read_opponents(database, id, kinds);
     return std::make_shared<const ExperimentSettings>(std::move(*parsed));
 }
 

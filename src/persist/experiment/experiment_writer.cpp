@@ -3,6 +3,7 @@
 #include "evolution/individual/population_digest.h"
 #include "persist/creature/creature_file.h"
 #include "persist/records/experiment_schema.h"
+#include "persist/records/kept_opponents.h"
 #include "persist/settings/settings_file.h"
 
 #include <fmt/core.h>
@@ -180,6 +181,7 @@ std::int64_t ExperimentWriter::row_of(const SettingsPtr& settings) {
     insert_settings_.run(write_settings(*settings, kinds_));
     known_.settings = settings;
     known_.settings_row = insert_settings_.inserted_row();
+    write_opponents(database_, known_.settings_row, settings->world.opponents, kinds_);
     return known_.settings_row;
 }
 

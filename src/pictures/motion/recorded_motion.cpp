@@ -8,16 +8,26 @@ namespace {
 
 constexpr std::size_t kTicksADot = 4;  // ticks between two points of the trail
 
+void take_parts(const BodyView& body, std::vector<Pose>& poses, std::vector<double>& stretches) {
+    poses.resize(body.part_count());
+    stretches.resize(body.part_count());
+    for (std::size_t part = 0; part < poses.size(); ++part) {
+        poses[part] = body.part_pose(part);
+        stretches[part] = body.stretch(part);
+    }
+}
+
 }  // namespace
 
 MotionFrame motion_frame(const Trial& trial) {
     const BodyView& body = trial.scene();
     MotionFrame frame;
-    frame.poses.resize(body.part_count());
-    frame.stretches.resize(body.part_count());
-    for (std::size_t part = 0; part < frame.poses.size(); ++part) {
-        frame.poses[part] = body.part_pose(part);
-        frame.stretches[part] = body.stretch(part);
+    take_parts(body, frame.poses, frame.stretches);
+    if (const Bout* bout = trial.bout()) {
+        frame.bout.emplace();
+        frame.bout->cube = bout->cube().part_pose(0);
+        if (bout->opponent() != nullptr)
+            take_parts(*bout->opponent(), frame.bout->opponent, frame.bout->stretches);
     }
     frame.center_of_mass = body.center_of_mass();
     frame.touched = touched_faces(body);
@@ -28,15 +38,28 @@ MotionFrame motion_frame(const Trial& trial) {
 
 namespace {
 
-MotionFrame between(const MotionFrame& from, const MotionFrame& to, double share) {
-    MotionFrame between = from;
-    for (std::size_t i = 0; i < between.poses.size(); ++i) {
-        between.poses[i].position += share * (to.poses[i].position - from.poses[i].position);
-        between.poses[i].orientation =
-            from.poses[i].orientation.slerp(share, to.poses[i].orientation);
-    }
+Pose interpolated(const Pose& from, const Pose& to, double share) {
+    return {from.position + share * (to.position - from.position),
+            from.orientation.slerp(share, to.orientation)};
+}
+
+BoutFrame bout_between(const BoutFrame& from, const BoutFrame& to, double share) {
+    BoutFrame between = from;
+    between.cube = interpolated(from.cube, to.cube, share);
+    for (std::size_t i = 0; i < between.opponent.size(); ++i)
+        between.opponent[i] = interpolated(from.opponent[i], to.opponent[i], share);
     for (std::size_t i = 0; i < between.stretches.size(); ++i)
         between.stretches[i] += share * (to.stretches[i] - from.stretches[i]);
+    return between;
+}
+
+MotionFrame between(const MotionFrame& from, const MotionFrame& to, double share) {
+    MotionFrame between = from;
+    for (std::size_t i = 0; i < between.poses.size(); ++i)
+        between.poses[i] = interpolated(from.poses[i], to.poses[i], share);
+    for (std::size_t i = 0; i < between.stretches.size(); ++i)
+        between.stretches[i] += share * (to.stretches[i] - from.stretches[i]);
+    if (from.bout && to.bout) between.bout = bout_between(*from.bout, *to.bout, share);
     between.center_of_mass += share * (to.center_of_mass - from.center_of_mass);
     return between;
 }
@@ -51,7 +74,8 @@ MotionFrame settle(Trial& trial) {
 
 std::size_t size_of(const MotionFrame& frame) {
     return sizeof(MotionFrame) + frame.poses.size() * (sizeof(Pose) + sizeof(double)) +
-           frame.touched.size() * sizeof(FaceSet);
+           frame.touched.size() * sizeof(FaceSet) +
+           (frame.bout ? frame.bout->opponent.size() * (sizeof(Pose) + sizeof(double)) : 0);
 }
 
 // Records the frames of one trial; the longer the trial, the larger their interval.
@@ -121,6 +145,7 @@ Result<RecordedTrial> record_trial(std::shared_ptr<const Phenotype> phenotype, c
     RecordedTrial recorded;
     recorded.motion.phenotype = std::move(phenotype);
     recorded.motion.complete = true;
+    if (trial.bout() != nullptr) recorded.motion.opponent = trial.bout()->opponent_body();
     MotionRecorder recorder(recorded.motion, most_bytes);
     recorder.add(settle(trial));
     while (!trial.finished()) {

@@ -15,12 +15,20 @@
 
 namespace cambrian {
 
+// The other bodies of a contest.
+struct BoutFrame {
+    Pose cube;
+    std::vector<Pose> opponent;     // of each part; empty without an opponent
+    std::vector<double> stretches;  // the same
+};
+
 struct MotionFrame {
     std::vector<Pose> poses;        // of each part
     std::vector<double> stretches;  // of each part
     Vec3 center_of_mass = Vec3::Zero();
     std::vector<FaceSet> touched;  // faces of each part that touch something
     std::optional<Vec3> light;     // m; place of the light, if there is one
+    std::optional<BoutFrame> bout = {};
 };
 
 // Returns the present moment of a trial.
@@ -29,7 +37,8 @@ MotionFrame motion_frame(const Trial& trial);
 // One creature's trial from the end of settling. Every tick of 1/60 s is a frame; if that takes too
 // much memory, every second tick, every fourth, and so on.
 struct RecordedMotion {
-    std::shared_ptr<const Phenotype> phenotype;  // null until expressed
+    std::shared_ptr<const Phenotype> phenotype;      // null until expressed
+    std::shared_ptr<const Phenotype> opponent = {};  // of a contest, if there is one
     std::vector<MotionFrame> frames;
     std::size_t stride = 1;     // ticks between two frames
     std::size_t ticks = 0;      // ticks after the first frame; used if stride is over 1

@@ -2,8 +2,10 @@
 
 #include "core/text/counted.h"
 #include "core/text/pretty_text.h"
+#include "pictures/scene/bout_scene.h"
 #include "pictures/scene/follow_camera.h"
 #include "pictures/scene/scene_builder.h"
+#include "simulator/contest/bout.h"
 
 #include <fmt/core.h>
 
@@ -18,9 +20,28 @@ constexpr std::size_t kFramesALook = 3;
 constexpr double kMarkPixels = 70.0;  // least distance of labelled ground marks, at label size 13
 constexpr double kTrailDot = 2.2;     // radius in pixels, at label size 13
 
+// The rectangle of the world that contains all bodies.
+WorldWindow window_of(const RecordedMotion& motion, const MotionFrame& frame) {
+    WorldWindow window = body_window(*motion.phenotype, frame.poses);
+    if (!frame.bout) return window;
+    const Vec2 cube = frame.bout->cube.position.head<2>();
+    window.low = window.low.cwiseMin(cube - Vec2::Constant(2.0 * kHalfCube));
+    window.high = window.high.cwiseMax(cube + Vec2::Constant(2.0 * kHalfCube));
+    if (motion.opponent == nullptr) return window;
+    const WorldWindow other = body_window(*motion.opponent, frame.bout->opponent);
+    return {window.low.cwiseMin(other.low), window.high.cwiseMax(other.high)};
+}
+
 Vec2 size_of_body(const RecordedMotion& motion, const MotionFrame& frame) {
-    const WorldWindow window = body_window(*motion.phenotype, frame.poses);
+    const WorldWindow window = window_of(motion, frame);
     return window.high - window.low;
+}
+
+// The point that the camera follows: the creature, or the middle of all bodies of a contest.
+Vec2 middle_of(const RecordedMotion& motion, const MotionFrame& frame) {
+    if (!frame.bout) return frame.center_of_mass.head<2>();
+    const WorldWindow window = window_of(motion, frame);
+    return 0.5 * (window.low + window.high);
 }
 
 SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& camera,
@@ -38,6 +59,12 @@ SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& 
     scene.add_trail(subject.motion().trail(moment.time, style.trail),
                     kTrailDot * style.label_size / 13.0 * camera.pixel(),
                     with_alpha(style.palette.accent, 0.8F));
+    if (shown.bout) {
+        const TrialWorld& world = subject.creature.settings->world;
+        add_bout(scene, style.palette, camera,
+                 {shown.bout->cube, subject.motion().opponent.get(), shown.bout->opponent,
+                  shown.bout->stretches, world.opponents.hue_of_trial(0)});
+    }
     if (shown.light) add_light(scene, camera, viewport, shown.light->head<2>());
     add_creature(scene, style.palette, camera, look);
     return scene;
@@ -107,8 +134,8 @@ void add_moment(PictureCanvas& canvas, const Area& area, const Subject& subject,
     Camera camera;
     camera.pixels_per_metre = style.pixels_per_metre;
     const bool ground = subject.environment().has_ground;
-    const Vec3 center = moment.frame.center_of_mass;
-    camera.center = follow_center(center.head<2>(), ground, camera, viewport);
+    camera.center =
+        follow_center(middle_of(subject.motion(), moment.frame), ground, camera, viewport);
     canvas.add_scene(scene_of(subject, moment, camera, viewport, style), camera, area);
     if (ground) add_ground_labels(canvas, area, camera, viewport, style);
 }

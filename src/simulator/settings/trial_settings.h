@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace cambrian {
@@ -15,6 +16,7 @@ struct TrialSettings {
     double max_ground_depth = 0.05;  // m; deeper for over 0.2 s is invalid
     double max_reversal_rate = 5.0;  // Hz; above it the score is scaled down
     bool stop_at_rest = true;        // ends a trial when nothing can move again (section 3)
+    bool has_cube = false;           // a free cube to fight for (section 6)
     int trials = 1;                // the first is in the unchanged world, further ones have jitter:
     double friction_jitter = 0.0;  // share of the friction, in both directions
     double tilt_jitter = 0.0;      // degrees of the start pose, in both directions
@@ -26,6 +28,12 @@ struct TrialSettings {
 };
 
 inline constexpr double kBrainTick = 1.0 / 60.0;  // s
+inline constexpr double kStartClearance = 0.02;   // m, lowest corner above ground
 inline constexpr int kTicksPerSample = 6;         // samples every 0.1 s
+
+// Returns the kinetic energy, in J, below which a creature of so many parts is calm.
+inline double calm_energy(std::size_t parts) {
+    return 0.001 * static_cast<double>(parts);
+}
 
 }  // namespace cambrian

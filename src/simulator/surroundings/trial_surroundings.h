@@ -5,6 +5,7 @@
 #include "simulator/surroundings/light_source.h"
 #include "simulator/surroundings/loudness_sum.h"
 #include "simulator/surroundings/scent_field.h"
+#include "simulator/surroundings/used_senses.h"
 #include "world/environment.h"
 #include "world/physics_scene.h"
 #include "world/surroundings.h"
@@ -13,14 +14,6 @@
 #include <span>
 
 namespace cambrian {
-
-// What a creature has of the organs and senses that need something of its surroundings.
-struct UsedSenses {
-    bool scents = false;     // has an organ that gives off scent
-    bool hears = false;      // has an ear that something reads
-    bool smells = false;     // has a sense of smell that something reads
-    std::size_t voices = 0;  // largest number of sounds that its organs make in a tick
-};
 
 class TrialSurroundings final : public Surroundings {
 public:

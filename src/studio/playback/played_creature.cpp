@@ -36,6 +36,7 @@ void PlayedCreature::tick() {
     if (replay_->diverged()) return;
     replay_->tick(hold());
     motion_.follow(replay_->trial().scene());
+    bout_.follow(replay_->trial().bout());
     readings_.add(replay_->trial(), phenotype_->network.outputs.size());
 }
 

@@ -6,6 +6,7 @@
 #include "core/result.h"
 #include "studio/playback/exhibit.h"
 #include "studio/playback/replay.h"
+#include "studio/playback/shown_bout.h"
 #include "studio/playback/shown_motion.h"
 #include "studio/playback/trial_readings.h"
 
@@ -27,8 +28,14 @@ public:
     // Goes back to the last stored state at or before the tick.
     void go_back(std::uint64_t tick);
     // Displays an instant between the last two ticks; 1 is the last tick.
-    void show_moment(double share) { motion_.show(share); }
-    void show_present() { motion_.jump_to(replay_->trial().scene()); }
+    void show_moment(double share) {
+        motion_.show(share);
+        bout_.show(share);
+    }
+    void show_present() {
+        motion_.jump_to(replay_->trial().scene());
+        bout_.jump_to(replay_->trial().bout());
+    }
 
     // Changes the environment from the next tick on.
     void set_environment(const Environment& environment);
@@ -47,6 +54,7 @@ public:
     // Its environment is the one that evaluated the creature, unless the user changed it.
     const Replay& replay() const { return *replay_; }
     const ShownMotion& motion() const { return motion_; }
+    const ShownBout& bout() const { return bout_; }  // of a contest only
     const TrialReadings& readings() const { return readings_; }
     bool disturbed() const { return !empty() && (hold_ || replay_->disturbed()); }
     // The present pull of the mouse, or null.
@@ -60,6 +68,7 @@ private:
     std::shared_ptr<const Phenotype> phenotype_;
     std::unique_ptr<Replay> replay_;
     ShownMotion motion_;
+    ShownBout bout_;
     TrialReadings readings_;
     std::optional<Hold> hold_;
 };

@@ -1,6 +1,7 @@
 #include "studio/panels/viewport/viewport_panel.h"
 
 #include "core/text/pretty_text.h"
+#include "pictures/scene/bout_scene.h"
 #include "pictures/scene/field_overlays.h"
 #include "pictures/scene/follow_camera.h"
 #include "studio/panels/viewport/scene_overlays.h"
@@ -216,6 +217,7 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
         add_ghost(
             scene, canvas_.camera,
             {ghost->phenotype(), ghost->poses(), {}, ghost->genome().hue, {}, ghost->stretches()});
+    if (playback.trial().bout() != nullptr) show_bout(playback);
     const LightSource& light = surroundings.source();
     if (light.is_on()) add_light(scene, canvas_.camera, canvas_.size(), light.place().head<2>());
     add_creature(scene, palette, canvas_.camera, look);
@@ -227,6 +229,15 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
         transform(playback.creature().motion().poses()[hold->part], hold->point_in_part);
     scene.add_line(from.head<2>(), hold->target.head<2>(), 2.0 * canvas_.camera.pixel(),
                    palette.danger);
+}
+
+void ViewportPanel::show_bout(const Playback& playback) {
+    const ShownBout& shown = playback.creature().bout();
+    const TrialWorld& world = playback.trial().world();
+    add_bout(canvas_.frame, colors(), canvas_.camera,
+             {shown.cube().poses().front(), playback.trial().bout()->opponent_body().get(),
+              shown.opponent().poses(), shown.opponent().stretches(),
+              world.opponents.hue_of_trial(world.light.trial)});
 }
 
 void ViewportPanel::draw_marks(const FrameContext& frame) {

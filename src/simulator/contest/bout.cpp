@@ -1,0 +1,187 @@
+#include "simulator/contest/bout.h"
+
+#include "simulator/settings/trial_settings.h"
+#include "simulator/surroundings/used_senses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr double kGap = 1.0;  // m, from the cube to a creature that is fallen over
+
+BodyPlan cube_plan() {
+    PlannedPart cube;
+    cube.half_extents = Vec3::Constant(kHalfCube);
+    return {.parts = {cube}};
+}
+
+// Puts a creature at rest to the left or the right of the cube (direction -1 or 1).
+void place_beside(PhysicsScene& scene, int direction) {
+    const Bounds bounds = scene.bounds();
+    const double away = kHalfCube + kGap + (bounds.high.y() - bounds.low.y());
+    const double x = direction < 0 ? -away - bounds.high.x() : away - bounds.low.x();
+    scene.translate(Vec3(x, kStartClearance - bounds.low.y(), 0.0));
+}
+
+// The shortest distance (m) of a part's box to a point.
+double distance_to(const PhysicsScene& scene, std::size_t part, const Vec3& point) {
+    const Pose pose = scene.part_pose(part);
+    const Vec3 inside = pose.orientation.conjugate() * (point - pose.position);
+    const Vec3 half = scene.part_half_extents(part);
+    const Vec3 beyond(std::max(0.0, std::fabs(inside.x()) - half.x()),
+                      std::max(0.0, std::fabs(inside.y()) - half.y()), 0.0);
+    return beyond.norm();
+}
+
+}  // namespace
+
+Bout::Bout(std::shared_ptr<const Phenotype> opponent, const Kinds& kinds, const BoutWorld& world)
+    : phenotype_(std::move(opponent)), kinds_(&kinds), settings_(world.scene) {
+    if (!phenotype_) return;
+    surroundings_.emplace(world.environment, world.light, phenotype_->rest_length(),
+                          senses_of(*phenotype_, kinds));
+    creature_ = std::make_unique<Creature>(*phenotype_, kinds, settings_);
+    is_present_ = true;
+}
+
+Result<std::unique_ptr<Bout>> Bout::start(std::shared_ptr<const Phenotype> opponent,
+                                          const Kinds& kinds, const BoutWorld& world,
+                                          PhysicsScene& own) {
+    std::unique_ptr<Bout> bout(new Bout(std::move(opponent), kinds, world));
+    if (Status made = bout->make_scenes(world, own); !made) return made.error();
+    place_beside(own, -1);
+    bout->last_distance_ = bout->distance_to_cube(own);
+    bout->join(own);
+    return bout;
+}
+
+Status Bout::make_scenes(const BoutWorld& world, const PhysicsScene& own) {
+    const auto make = [&](const BodyPlan& plan) {
+        return kinds_->scene.make(plan, world.environment, world.scene);
+    };
+    auto cube = make(cube_plan());
+    if (!cube) return cube.error();
+    cube_ = std::move(*cube);
+    cube_->translate(Vec3(0.0, kHalfCube, 0.0) - cube_->center_of_mass());
+    workspace_ = cube_->take_workspace();
+    SceneSize size = own.size();
+    size += cube_->size();
+    if (phenotype_) {
+        auto opponent = make(phenotype_->plan);
+        if (!opponent) return Error{"physics rejects its opponent: " + opponent.error().message};
+        opponent_ = std::move(*opponent);
+        place_beside(*opponent_, 1);
+        size += opponent_->size();
+    }
+    if (!size.fits(kinds_->scene.largest_join))
+        return Error{"the two creatures have too many parts and stretches for one bout"};
+    return {};
+}
+
+void Bout::hold_rest() {
+    if (is_present_) creature_->hold_rest(*opponent_);
+}
+
+void Bout::act(std::uint64_t tick) {
+    if (!is_present_) return;
+    LightSource& light = surroundings_->source();
+    if (light.is_on()) light.move(tick, opponent_->center_of_mass());
+    creature_->act(*opponent_, *surroundings_, kBrainTick);
+}
+
+std::vector<PhysicsScene*> Bout::scenes(PhysicsScene& own) const {
+    std::vector<PhysicsScene*> scenes = {&own, cube_.get()};
+    if (is_present_) scenes.push_back(opponent_.get());
+    return scenes;
+}
+
+SceneStatus Bout::advance_joined(PhysicsScene& own, double duration) {
+    return joined_->advance(scenes(own), duration, *workspace_);
+}
+
+bool Bout::opponent_fails_alone(double duration) {
+    opponent_->mark();
+    const bool fails = opponent_->advance(duration) != SceneStatus::kRunning;
+    opponent_->go_back();
+    return fails;
+}
+
+SceneStatus Bout::advance(PhysicsScene& own, double duration) {
+    if (status_ != SceneStatus::kRunning) return status_;
+    status_ = advance_joined(own, duration);
+    if (status_ != SceneStatus::kRunning && is_present_ && opponent_fails_alone(duration)) {
+        last_distance_ = distance_to_cube(*opponent_);
+        is_present_ = false;
+        join(own);
+        status_ = advance_joined(own, duration);
+    }
+    return status_;
+}
+
+bool Bout::is_calm() const {
+    return !is_present_ || opponent_->kinetic_energy() < calm_energy(phenotype_->parts.size());
+}
+
+double Bout::distance_to_cube(const PhysicsScene& scene) const {
+    const Vec3 center = cube_->center_of_mass();
+    double nearest = distance_to(scene, 0, center);
+    for (std::size_t part = 1; part < scene.part_count(); ++part)
+        nearest = std::min(nearest, distance_to(scene, part, center));
+    return nearest;
+}
+
+BoutDistances Bout::distances(const PhysicsScene& own) const {
+    return {distance_to_cube(own), is_present_ ? distance_to_cube(*opponent_) : last_distance_};
+}
+
+void Bout::set_environment(const Environment& environment) {
+    cube_->set_environment(environment);
+    if (!opponent_) return;
+    opponent_->set_environment(environment);
+    surroundings_->set_environment(environment);
+}
+
+void Bout::set_motors_off(bool off) {
+    if (opponent_) opponent_->set_motors_off(off);
+}
+
+void Bout::add_to_digest(Hash64& digest) const {
+    cube_->add_to_digest(digest);
+    if (is_present_) opponent_->add_to_digest(digest);
+}
+
+Bout::State Bout::save() const {
+    State state{.cube = cube_->save(),
+                .opponent = nullptr,
+                .joined = joined_->save(),
+                .creature = std::nullopt,
+                .surroundings = std::nullopt,
+                .status = status_,
+                .is_present = is_present_,
+                .last_distance = last_distance_};
+    if (!opponent_) return state;
+    state.opponent = opponent_->save();
+    state.creature = creature_->save();
+    state.surroundings = surroundings_->save();
+    return state;
+}
+
+void Bout::restore(const State& state, PhysicsScene& own) {
+    cube_->restore(*state.cube);
+    if (state.opponent) {
+        opponent_->restore(*state.opponent);
+        creature_->restore(*state.creature);
+        surroundings_->restore(*state.surroundings);
+    }
+    status_ = state.status;
+    last_distance_ = state.last_distance;
+    const bool joins_anew = is_present_ != state.is_present;
+    is_present_ = state.is_present;
+    if (joins_anew) join(own);
+    joined_->restore(*state.joined);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,90 @@
+#pragma once
+
+// What a creature contends with: a free cube, and an opponent on the other side of it
+// (simulator/README.md 7).
+
+#include "core/result.h"
+#include "creature/creature.h"
+#include "simulator/contest/bout_distances.h"
+#include "simulator/surroundings/trial_surroundings.h"
+#include "world/environment.h"
+#include "world/physics_scene.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace cambrian {
+
+inline constexpr double kHalfCube = 0.15;  // m
+
+struct BoutWorld {
+    const Environment& environment;
+    const SceneSettings& scene;
+    const LightDraw& light;
+};
+
+class Bout {
+public:
+    // Places the cube at x = 0 on the ground, and the opponent to the right of it. Without an
+    // opponent (null), its distance is that of one that never moved. Fails if physics rejects the
+    // opponent, or has no room for all. The kinds must outlive the bout.
+    // Moves the creature that is judged to the left of it. Each creature's near edge is 1 m and its
+    // own height away from the cube.
+    static Result<std::unique_ptr<Bout>> start(std::shared_ptr<const Phenotype> opponent,
+                                               const Kinds& kinds, const BoutWorld& world,
+                                               PhysicsScene& own);
+
+    // Have the opponent hold its rest pose, or act, in the next tick.
+    void hold_rest();
+    void act(std::uint64_t tick);
+    // Advances all bodies by a tick (s). An opponent whose own motion cannot be computed leaves the
+    // bout; its distance stays what it was. After any other failure nothing moves any more.
+    SceneStatus advance(PhysicsScene& own, double duration);
+    bool is_calm() const;  // whether the opponent has settled
+
+    BoutDistances distances(const PhysicsScene& own) const;
+    void set_environment(const Environment& environment);
+    void set_motors_off(bool off);
+    void add_to_digest(Hash64& digest) const;
+
+    const PhysicsScene& cube() const { return *cube_; }
+    // The opponent, also after it left; null if there is none.
+    const PhysicsScene* opponent() const { return opponent_.get(); }
+    // How the opponent grew; null if there is none.
+    const std::shared_ptr<const Phenotype>& opponent_body() const { return phenotype_; }
+
+    struct State {
+        std::unique_ptr<SceneState> cube, opponent, joined;
+        std::optional<Creature::State> creature;
+        std::optional<TrialSurroundings::Moment> surroundings;
+        SceneStatus status = SceneStatus::kRunning;
+        bool is_present = false;
+        double last_distance = 0.0;
+    };
+    State save() const;
+    void restore(const State& state, PhysicsScene& own);
+
+private:
+    Bout(std::shared_ptr<const Phenotype> opponent, const Kinds& kinds, const BoutWorld& world);
+    Status make_scenes(const BoutWorld& world, const PhysicsScene& own);
+    std::vector<PhysicsScene*> scenes(PhysicsScene& own) const;
+    void join(PhysicsScene& own) { joined_ = kinds_->scene.join(scenes(own)); }
+    SceneStatus advance_joined(PhysicsScene& own, double duration);
+    bool opponent_fails_alone(double duration);
+    double distance_to_cube(const PhysicsScene& scene) const;
+
+    std::shared_ptr<const Phenotype> phenotype_;  // of the opponent, or null
+    const Kinds* kinds_;
+    SceneSettings settings_;
+    std::unique_ptr<PhysicsScene> cube_, opponent_;
+    std::optional<TrialSurroundings> surroundings_;  // of the opponent
+    std::unique_ptr<Creature> creature_;             // the opponent
+    std::unique_ptr<SceneWorkspace> workspace_;
+    std::unique_ptr<JoinedScenes> joined_;
+    SceneStatus status_ = SceneStatus::kRunning;
+    bool is_present_ = false;     // whether the opponent takes part
+    double last_distance_ = 0.0;  // m, of an opponent that does not
+};
+
+}  // namespace cambrian

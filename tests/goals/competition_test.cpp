@@ -1,0 +1,155 @@
+// Contests for a cube: their score, their sides and their opponents.
+#include "evolution/evaluation/trials.h"
+#include "evolution/settings/goal_defaults.h"
+#include "goals/contest_score.h"
+#include "persist/creature/creature_file.h"
+#include "simulator/trial.h"
+#include "support/catch.h"
+#include "support/creatures.h"
+#include "support/kinds.h"
+
+#include <algorithm>
+#include <filesystem>
+
+using namespace cambrian;
+using test::kinds;
+
+namespace {
+
+ExperimentSettings contest(const std::vector<GenomePtr>& opponents) {
+    ExperimentSettings settings;
+    settings.goal = "competition";
+    adopt_defaults(settings, *kinds().goals.find("competition"));
+    settings.world.trial.trials = std::max(1, static_cast<int>(opponents.size()));
+    settings.world.opponents.genomes = opponents;
+    return settings;
+}
+
+double contest_result(const GenomePtr& creature, const std::vector<GenomePtr>& opponents,
+                      double duration = 12.0) {
+    ExperimentSettings settings = contest(opponents);
+    settings.world.trial.duration = duration;
+    const EvaluationResult result = evaluate_in_trials(
+        {.genome = creature, .trial_seed = trial_seed(settings)}, settings, kinds());
+    INFO(result.reason);
+    REQUIRE(result.outcome == Outcome::kCompleted);
+    return result.fitness;
+}
+
+// An evolved walker that goes to the right at about 1.5 m/s.
+GenomePtr pusher() {
+    const auto sample = load_creature(
+        std::filesystem::path(CAMBRIAN_SOURCE_DIR) / "assets/creatures/biped.creature.json",
+        kinds());
+    REQUIRE(sample);
+    return sample->creature.individual->genome;
+}
+
+// A box on the ground whose lid trembles a little.
+GenomePtr sitter() {
+    test::CreatureBuilder builder(kinds().creature.catalog);
+    const auto body = builder.part(0.6, 0.4);
+    const auto lid = builder.part(0.2, 0.2);
+    builder.attach(body, lid, 0.375);
+    builder.swing(lid, 0.2, 0.0, 0.05);
+    return builder.build();
+}
+
+TrialRecord bout(const GenomePtr& creature, const GenomePtr& opponent) {
+    const ExperimentSettings settings = contest({opponent});
+    auto record =
+        run_trial(std::make_shared<const Phenotype>(express(
+                      *creature, kinds().creature, settings.expression, settings.world.scene)),
+                  kinds().creature, first_trial_world(settings));
+    REQUIRE(record);
+    REQUIRE(record->bout);
+    return *record;
+}
+
+}  // namespace
+
+TEST_CASE("a pusher beats a sitter until it pushes the cube to it", "[goals][competition]") {
+    double best = 0.0;
+    double least = 2.0;
+    for (const double duration : {1.0, 1.5, 2.0, 2.5, 3.0}) {
+        best = std::max(best, contest_result(pusher(), {sitter()}, duration));
+        least = std::min(least, contest_result(sitter(), {pusher()}, duration));
+    }
+    CHECK(best >= 1.5);
+    CHECK(least <= 0.5);
+}
+
+TEST_CASE("a sitter draws against itself, from the same distance", "[goals][competition]") {
+    const TrialRecord record = bout(sitter(), sitter());
+    CHECK(record.bout->own == Approx(record.bout->other).margin(1e-3));
+    CHECK(record.bout->own > 1.3);
+    CHECK(record.bout->own < 2.0);
+}
+
+TEST_CASE("the scores of both sides of a bout add up to exactly 2", "[goals][competition]") {
+    RandomStream stream(7);
+    for (int i = 0; i < 10000; ++i) {
+        const BoutDistances end{stream.uniform(0.0, 3.0), stream.uniform(0.0, 3.0)};
+        REQUIRE(contest_score(end) + contest_score({end.other, end.own}) == 2.0);
+    }
+    CHECK(contest_score({0.0, 0.0}) == 1.0);
+    CHECK(contest_score({0.0, 1.0}) == 2.0);
+    const BoutDistances end = *bout(pusher(), sitter()).bout;
+    CHECK(contest_score(end) + contest_score({end.other, end.own}) == 2.0);
+}
+
+TEST_CASE("a score is the mean over the opponents", "[goals][competition]") {
+    const double easy = contest_result(pusher(), {sitter()});
+    const double hard = contest_result(pusher(), {pusher()});
+    CHECK(hard < easy);
+    CHECK(contest_result(pusher(), {sitter(), pusher()}) ==
+          Approx(0.5 * (easy + hard)).epsilon(1e-12));
+}
+
+TEST_CASE("a creature without an opponent contends with its own start", "[goals][competition]") {
+    CHECK(contest_result(sitter(), {}) == Approx(1.0).margin(0.02));
+    CHECK(contest_result(pusher(), {}) > 1.5);
+}
+
+TEST_CASE("a replay of a bout that went back has the same bits", "[goals][competition]") {
+    const ExperimentSettings settings = contest({pusher()});
+    const auto start = [&] {
+        auto trial = Trial::start(std::make_shared<const Phenotype>(express(
+                                      *pusher(), kinds().creature, {}, settings.world.scene)),
+                                  kinds().creature, first_trial_world(settings));
+        REQUIRE(trial);
+        return std::move(*trial);
+    };
+    const auto straight = start();
+    while (straight->tick()) {
+    }
+    const auto replayed = start();
+    // By then both are at the cube.
+    for (int tick = 0; tick < 400; ++tick)
+        replayed->tick();
+    const Trial::State state = replayed->save();
+    for (int tick = 0; tick < 100; ++tick)
+        replayed->tick();
+    replayed->restore(state);
+    while (replayed->tick()) {
+    }
+    CHECK(replayed->record().digest == straight->record().digest);
+    CHECK(replayed->record().bout == straight->record().bout);
+}
+
+TEST_CASE("a mirrored creature is the mirror image of the given one", "[goals][competition]") {
+    const GenomePtr genome = pusher();
+    const auto grow = [&](Side side) {
+        return express(*genome, kinds().creature, {}, SceneSettings{}, side);
+    };
+    const Phenotype given = grow(Side::kGiven);
+    const Phenotype mirrored = grow(Side::kMirrored);
+    REQUIRE(given.parts.size() == mirrored.parts.size());
+    for (std::size_t part = 0; part < given.parts.size(); ++part) {
+        const Vec3 left = given.plan.parts[part].rest_pose.position;
+        const Vec3 right = mirrored.plan.parts[part].rest_pose.position;
+        CHECK(left.x() == Approx(-right.x()).margin(1e-12));
+        CHECK(left.y() == Approx(right.y()).margin(1e-12));
+        CHECK(given.parts[part].handedness == -mirrored.parts[part].handedness);
+    }
+}
