@@ -38,10 +38,11 @@ SolverTally tally_of(std::size_t bodies, std::uint64_t seed, double seconds) {
     Rig rig(creature.plan, walking_ground());
     rig.begin();
     for (std::size_t tick = 0; tick < ticks; ++tick) {
-        for (int body = 0; body < rig.model.body_count; ++body) {
-            rig.forcing.drive.start[body] = rig.forcing.drive.end[body];
-            rig.forcing.drive.end[body] =
-                creature.target(tick, static_cast<std::size_t>(rig.model.joint_part[body]));
+        for (int part = 0; part < rig.model.part_count; ++part) {
+            const int joint = rig.model.part_joint[part];
+            if (joint < 0) continue;
+            rig.forcing.drive.start[joint] = rig.forcing.drive.end[joint];
+            rig.forcing.drive.end[joint] = creature.target(tick, static_cast<std::size_t>(part));
         }
         if (!rig.run(kTestTick)) break;
     }

@@ -56,7 +56,6 @@ public:
     const ShownMotion& motion() const { return motion_; }
     const ShownBout& bout() const { return bout_; }  // of a contest only
     const TrialReadings& readings() const { return readings_; }
-    bool disturbed() const { return !empty() && (hold_ || replay_->disturbed()); }
     // The present pull of the mouse, or null.
     const Hold* hold() const { return hold_ ? &*hold_ : nullptr; }
 
@@ -72,5 +71,10 @@ private:
     TrialReadings readings_;
     std::optional<Hold> hold_;
 };
+
+// Returns whether the user has changed the motion.
+inline bool is_disturbed(const PlayedCreature& creature) {
+    return !creature.empty() && (creature.hold() != nullptr || creature.replay().disturbed());
+}
 
 }  // namespace cambrian

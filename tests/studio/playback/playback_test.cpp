@@ -107,10 +107,10 @@ TEST_CASE("going back to before a poke undoes it, going back to after it does no
         playback.step();
     playback.seek(60);
     playback.advance(0.0, kPlenty);
-    CHECK(playback.creature().disturbed());
+    CHECK(is_disturbed(playback.creature()));
     playback.seek(40);
     playback.advance(0.0, kPlenty);
-    CHECK_FALSE(playback.creature().disturbed());
+    CHECK_FALSE(is_disturbed(playback.creature()));
 }
 
 TEST_CASE("seeking a later moment is spread over the budgets of several frames",
@@ -154,9 +154,9 @@ TEST_CASE("restarting forgets a poke and keeps a changed world", "[studio][playb
     playback.creature().set_environment(moon);
     playback.creature().pull(Hold{0, Vec3::Zero(), Vec3(0.0, 5.0, 0.0)});
     playback.step();
-    CHECK(playback.creature().disturbed());
+    CHECK(is_disturbed(playback.creature()));
     playback.restart();
-    CHECK_FALSE(playback.creature().disturbed());
+    CHECK_FALSE(is_disturbed(playback.creature()));
     CHECK(playback.trial().ticks() == 0);
     CHECK(playback.creature().replay().environment() == moon);
 }
@@ -182,7 +182,7 @@ TEST_CASE("a forced neuron disturbs the motion until restarted", "[studio][playb
     REQUIRE(free.show(crawler_exhibit()));
     REQUIRE(forced.show(crawler_exhibit()));
     forced.creature().force(0, 2.0);
-    CHECK(forced.creature().disturbed());
+    CHECK(is_disturbed(forced.creature()));
     for (int i = 0; i < 60; ++i) {
         free.step();
         forced.step();
@@ -193,7 +193,7 @@ TEST_CASE("a forced neuron disturbs the motion until restarted", "[studio][playb
           free.creature().motion().poses()[1].position);
     forced.restart();
     CHECK(forced.creature().replay().forced().empty());
-    CHECK_FALSE(forced.creature().disturbed());
+    CHECK_FALSE(is_disturbed(forced.creature()));
     free.restart();
     for (int i = 0; i < 60; ++i) {
         free.step();

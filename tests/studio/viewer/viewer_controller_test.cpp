@@ -91,11 +91,11 @@ TEST_CASE("a forced neuron marks the run as disturbed", "[studio][viewer]") {
     REQUIRE_FALSE(
         run.studio.frame_context().viewer.playback.creature().phenotype().network.neurons.empty());
     run.ask(ForceNeuron{0, 1.0});
-    CHECK(run.studio.frame_context().viewer.playback.creature().disturbed());
+    CHECK(is_disturbed(run.studio.frame_context().viewer.playback.creature()));
     run.ask(ReleaseNeuron{0});
     CHECK(run.studio.frame_context().viewer.playback.creature().replay().forced().empty());
     run.ask(RestartPlayback{});
-    CHECK_FALSE(run.studio.frame_context().viewer.playback.creature().disturbed());
+    CHECK_FALSE(is_disturbed(run.studio.frame_context().viewer.playback.creature()));
 }
 
 }  // namespace

@@ -355,7 +355,7 @@ void ViewportPanel::draw_words(const FrameContext& frame) {
     if (frame.viewer.playback.creature().replay().diverged()) {
         shadowed_text(list, fonts.body, px(15), at, colors().danger,
                       "The motion diverged; press R to restart");
-    } else if (frame.viewer.playback.creature().disturbed()) {
+    } else if (is_disturbed(frame.viewer.playback.creature())) {
         shadowed_text(list, fonts.body, px(15), at, colors().plot_best,
                       "Disturbed by hand; press R to restart");
     }
