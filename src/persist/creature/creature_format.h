@@ -212,12 +212,14 @@ void describe_node(Archive& archive, Node& node, std::size_t node_count, const K
 
 template <class Archive, class Genes>
 void describe_genes(Archive& archive, Genes& genome, const KindNames& names) {
-    // A schema, which has no nodes, allows every edge target.
-    const std::size_t node_count =
-        genome.nodes.empty() ? std::size_t{gene_range::kMaxNodes} : genome.nodes.size();
-    archive.list(
-        "nodes", genome.nodes, 1, gene_range::kMaxNodes, JsonLayout::kLines,
-        [&](Archive& inner, auto& node) { describe_node(inner, node, node_count, names); });
+    archive.list("nodes", genome.nodes, 1, gene_range::kMaxNodes, JsonLayout::kLines,
+                 [&](Archive& inner, auto& node) {
+                     // A schema, which has no nodes, allows every edge target.
+                     const std::size_t count = genome.nodes.empty()
+                                                   ? std::size_t{gene_range::kMaxNodes}
+                                                   : genome.nodes.size();
+                     describe_node(inner, node, count, names);
+                 });
     archive.list("brain", genome.brain, 0, gene_range::kMaxBrainNeurons, JsonLayout::kLines,
                  [&](Archive& inner, auto& neuron) {
                      describe_neuron(inner, neuron, SourceScope::kBrain, names);
