@@ -35,9 +35,9 @@ public:
         requests.ask(std::move(action));
         studio.carry_out(requests);
     }
-    // Runs frames until a condition holds; gives up after 20 000.
+    // Runs frames until a condition holds; gives up after 100 000.
     bool frames_until(const std::function<bool()>& holds) {
-        for (int i = 0; i < 20'000; ++i) {
+        for (int i = 0; i < 100'000; ++i) {
             studio.update(0.001 * i, 0.001);
             if (holds()) return true;
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
