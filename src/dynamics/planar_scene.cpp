@@ -174,7 +174,7 @@ private:
     std::unique_ptr<StepWorkspace> workspace_;
     std::unique_ptr<Mark> mark_;
     // The body is in the workspace, in a room of another one, or in memory of its own. Otherwise it
-    // is packed; whoever asks for something then unpacks it without a change.
+    // is packed. A packed body is unpacked when something must be known of it, and keeps its bits.
     mutable SceneBody* body_ = nullptr;
     mutable std::unique_ptr<SceneBody> own_;
     mutable PackedBody packed_;
