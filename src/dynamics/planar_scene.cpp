@@ -144,16 +144,14 @@ public:
 private:
     Vec3 mean_of_trees(const PerCoordinate& coordinates) const;
     // The body with the joint of this part, or -1 if the part is a root or has a rigid joint.
-    int joint_of(std::size_t part) const {
+    int joint_of(std::size_t part) const { return body().model.part_joint[checked(part)]; }
+    std::size_t checked(std::size_t part) const {
         CAMBRIAN_ASSERT(part < part_count(), "part index in range");
-        return body().model.part_joint[part];
+        return part;
     }
     int stretch_of(std::size_t part) const { return body().model.stretch_slot[body_of(part)]; }
     void set_slot_target(int slot, double target);
-    int body_of(std::size_t part) const {
-        CAMBRIAN_ASSERT(part < part_count(), "part index in range");
-        return body().model.part_body[part];
-    }
+    int body_of(std::size_t part) const { return body().model.part_body[checked(part)]; }
     // World offset of a point of a part from its body's centre of mass.
     Vec2 arm_of(std::size_t part, double x, double y) const;
     void use_environment(const Environment& environment);
@@ -164,7 +162,7 @@ private:
         if (body_ == nullptr) unpack_alone();
         return *body_;
     }
-    void unpack_alone() const;
+    [[gnu::noinline, gnu::cold]] void unpack_alone() const;
     void unpack_into(SceneBody& room) const;
     void pack() const;
 
@@ -261,9 +259,9 @@ Twist PlanarScene::part_twist(std::size_t part) const {
 }
 
 double PlanarScene::joint_coordinate(std::size_t part) const {
-    const int joint = joint_of(part);
-    if (joint < 0) return 0.0;
-    return body().state.cache().kinematics.joint_position[joint];
+    const SceneBody& own = body();
+    const int joint = own.model.part_joint[checked(part)];
+    return joint < 0 ? 0.0 : own.state.cache().kinematics.joint_position[joint];
 }
 
 double PlanarScene::joint_rate(std::size_t part) const {
@@ -316,14 +314,15 @@ double PlanarScene::part_load(std::size_t part) const {
 }
 
 Bounds PlanarScene::bounds() const {
+    const PlanarModel& model = body().model;
     const Kinematics& k = body().state.cache().kinematics;
     Simd4d low_x = all_lanes(std::numeric_limits<double>::infinity());
     Simd4d low_y = low_x;
     Simd4d high_x = -low_x;
     Simd4d high_y = -low_y;
-    for (int part = 0; part < body().model.part_count; ++part) {
-        const int b = body().model.part_body[part];
-        const Corners corners = corners_of(body().model, k, part);
+    for (int part = 0; part < model.part_count; ++part) {
+        const int b = model.part_body[part];
+        const Corners corners = corners_of(model, k, part);
         const Simd4d x = k.x[b] + (k.cosine[b] * corners.x - k.sine[b] * corners.y);
         const Simd4d y = heights_of(corners, k, b);
         low_x = lesser(x, low_x);
@@ -336,11 +335,12 @@ Bounds PlanarScene::bounds() const {
 }
 
 double PlanarScene::lowest_point() const {
+    const PlanarModel& model = body().model;
     const Kinematics& k = body().state.cache().kinematics;
     Simd4d low = all_lanes(std::numeric_limits<double>::infinity());
-    for (int part = 0; part < body().model.part_count; ++part) {
-        const Corners corners = corners_of(body().model, k, part);
-        low = lesser(heights_of(corners, k, body().model.part_body[part]), low);
+    for (int part = 0; part < model.part_count; ++part) {
+        const Corners corners = corners_of(model, k, part);
+        low = lesser(heights_of(corners, k, model.part_body[part]), low);
     }
     return -largest_of(-low);
 }
@@ -355,10 +355,11 @@ void PlanarScene::set_stretch_target(std::size_t part, double target) {
 
 void PlanarScene::set_slot_target(int slot, double target) {
     if (slot < 0) return;
+    SceneBody& own = body();
     if (!std::isfinite(target)) target = 0.0;
-    if (body().model.motor_mode[slot] == MotorMode::kPosition)
-        target = std::clamp(target, body().model.limit_low[slot], body().model.limit_high[slot]);
-    body().state.drive_end[slot] = target;
+    if (own.model.motor_mode[slot] == MotorMode::kPosition)
+        target = std::clamp(target, own.model.limit_low[slot], own.model.limit_high[slot]);
+    own.state.drive_end[slot] = target;
 }
 
 double PlanarScene::target(std::size_t part) const {
@@ -367,9 +368,10 @@ double PlanarScene::target(std::size_t part) const {
 }
 
 double PlanarScene::largest_target_change() const {
+    const int bodies = body().model.body_count;
     const MotorDrive& drive = body().forcing.drive;
     Simd4d largest = {};
-    for (int i = 0; i < body().model.body_count; i += kLanes)
+    for (int i = 0; i < bodies; i += kLanes)
         largest =
             greater(magnitude(load_lanes(drive.end + i) - load_lanes(drive.start + i)), largest);
     return largest_of(largest);

@@ -87,7 +87,7 @@ SceneStatus JoinedBodies::advance(std::span<PhysicsScene* const> scenes, double 
     Members members;
     for (std::size_t i = 0; i < scenes.size(); ++i)
         members.push_back(&body_scene(*scenes[i]).open(steps->room(i)));
-    all_ = &steps->joined;
+    all_ = &steps->joined_room();
     scenes_ = scenes;
     if (is_new_)
         begin(members);

@@ -39,6 +39,11 @@ struct StepWorkspace final : SceneWorkspace {
     StepWorkspace(const IntegratorKind& integrator, const SceneSettings& settings)
         : control(integrator, settings) {}
 
+    // Of several scenes that are advanced as one.
+    SceneBody& joined_room() {
+        if (!joined) joined = std::make_unique<SceneBody>();
+        return *joined;
+    }
     SceneBody& room(std::size_t index) {
         while (rooms.size() <= index)
             rooms.push_back(std::make_unique<SceneBody>());
@@ -47,7 +52,7 @@ struct StepWorkspace final : SceneWorkspace {
 
     StepControl control;
     std::vector<std::unique_ptr<SceneBody>> rooms;
-    SceneBody joined;  // of several scenes that are advanced as one
+    std::unique_ptr<SceneBody> joined;
 };
 
 }  // namespace cambrian
