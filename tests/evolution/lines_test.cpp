@@ -12,24 +12,9 @@
 
 using namespace cambrian;
 using test::kinds;
+using test::ranking;
 
 namespace {
-
-// Returns creatures of the given lines and plans, best first.
-std::vector<IndividualPtr> ranking(const std::vector<std::uint64_t>& lines,
-                                   const std::vector<std::uint64_t>& plans) {
-    std::vector<double> fitness;
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        fitness.push_back(static_cast<double>(lines.size() - i));
-    auto all = test::individuals(fitness);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        Individual one = *all[i];
-        one.line = lines[i];
-        one.result.plan = plans[i];
-        all[i] = std::make_shared<const Individual>(one);
-    }
-    return all;
-}
 
 ExperimentSettings half_of_ten() {
     ExperimentSettings settings;

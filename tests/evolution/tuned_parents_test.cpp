@@ -11,22 +11,9 @@
 
 using namespace cambrian;
 using test::kinds;
+using test::ranking;
 
 namespace {
-
-// Returns creatures of the given lines, best first, with fitness 6, 5, 4...
-std::vector<IndividualPtr> ranking(const std::vector<std::uint64_t>& lines) {
-    std::vector<double> fitness;
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        fitness.push_back(static_cast<double>(lines.size() - i));
-    auto all = test::individuals(fitness);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        Individual one = *all[i];
-        one.line = lines[i];
-        all[i] = std::make_shared<const Individual>(one);
-    }
-    return all;
-}
 
 // Returns how often each creature is the parent of a tuned child.
 std::map<std::size_t, int> counts(const std::vector<IndividualPtr>& ranked,
