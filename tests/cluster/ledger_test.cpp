@@ -225,19 +225,19 @@ Hello hello_of(std::uint64_t id, int cores) {
 TEST_CASE("only workers that are heard and compute the same bits count", "[cluster]") {
     Trust trust(1);
     WorkerRoll roll({"1.2", 5}, "here", 2);
-    roll.hear(hello_of(1, 8), 100.0);
-    roll.hear(hello_of(2, 4), 103.0);
+    roll.hear(hello_of(1, 8), 100.0, trust);
+    roll.hear(hello_of(2, 4), 103.0, trust);
     Hello newer = hello_of(3, 16);
     newer.simulator = "1.3";
-    roll.hear(newer, 103.0);
+    roll.hear(newer, 103.0, trust);
     Hello odd = hello_of(4, 16);
     odd.proof = 6;
-    roll.hear(odd, 103.0);
+    roll.hear(odd, 103.0, trust);
     CHECK(roll.cores(104.0, trust) == 12);
     CHECK(roll.cores(106.5, trust) == 4);
     // After a late unit, workers that have been silent since then are in doubt until they send a
     // message.
-    roll.hear(hello_of(1, 8), 106.6);
+    roll.hear(hello_of(1, 8), 106.6, trust);
     roll.doubt_silent(106.5);
     CHECK(roll.cores(106.7, trust) == 8);
     roll.worked(2, 10, 1'000, 106.8);
@@ -261,9 +261,14 @@ TEST_CASE("only workers that are heard and compute the same bits count", "[clust
           WorkerState::kAway);
     CHECK(roll.rows(113.0, trust, {.own_busy = false, .reachable = true})[1].state ==
           WorkerState::kAway);
-    roll.hear(bye, 107.0);
+    roll.hear(bye, 107.0, trust);
     CHECK(roll.cores(107.0, trust) == 0);
     CHECK(roll.rows(107.0, trust, {}).size() == 4);
+    // The user still sees why a refused worker has left.
+    bye.id = 2;
+    roll.hear(bye, 107.0, trust);
+    CHECK(roll.rows(107.0, trust, {})[1].refusal == "a result differed");
+    CHECK(roll.cores(107.0, trust) == 0);
 }
 
 TEST_CASE("presence keeps its fields, and is cut to what may be shown", "[cluster]") {

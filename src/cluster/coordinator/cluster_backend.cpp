@@ -396,7 +396,7 @@ void ClusterBackend::take(CoordinatorNews news) {
             continue;
         }
         const std::lock_guard lock(mutex_);
-        roll_.hear(*hello, now());
+        roll_.hear(*hello, now(), memory_.trust);
     }
     const std::lock_guard lock(mutex_);
     for (const UnitId& id : news.not_published) {

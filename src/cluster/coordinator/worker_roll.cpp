@@ -21,10 +21,10 @@ constexpr std::size_t kMostMembers = 4'096;
 WorkerRoll::WorkerRoll(Build build, std::string own_name, std::size_t own_cores)
     : build_(std::move(build)), own_name_(std::move(own_name)), own_cores_(own_cores) {}
 
-void WorkerRoll::hear(const Hello& hello, double now) {
+void WorkerRoll::hear(const Hello& hello, double now, const Trust& trust) {
     if (hello.role != Hello::Role::kWorker) return;
     forget_silent(now);
-    if (hello.leaving) {
+    if (hello.leaving && !trust.refused(hello.id)) {
         members_.erase(hello.id);
         return;
     }

@@ -26,7 +26,8 @@ public:
     };
     WorkerRoll(Build build, std::string own_name, std::size_t own_cores);
 
-    void hear(const Hello& hello, double now);
+    // A worker that leaves is no longer listed, unless it was refused.
+    void hear(const Hello& hello, double now, const Trust& trust);
     void worked(std::uint64_t worker, std::uint64_t creatures, std::uint64_t work, double now);
     void worked_at_home(std::uint64_t creatures, std::uint64_t work, double now);
 
