@@ -123,7 +123,7 @@ class LongTrials(ProgramTest):
     # -- pictures
 
     def test_pictures_of_hours_take_little_memory(self):
-        self.write("hours.toml", EMPTY_SPACE.format(duration=10000))
+        self.write("hours.toml", EMPTY_SPACE.format(duration=7200))
         for out, options in [("sheet.png", []),
                              ("clip.mp4", ["--fps", 1, "--speed", 20, "--size", "320x180"])]:
             commands = self.possible([["render", "stiff.creature.json", "-e", "hours.toml",
@@ -169,7 +169,7 @@ class LongTrials(ProgramTest):
                                  ((i,) for i in range(2, rows)))
             database.executemany("INSERT INTO journal (generation, command, settings) "
                                  "VALUES (1, 'settings', ?)", ((i,) for i in range(2, rows)))
-        self.many_rows("a.cambrian", 600000, insert)
+        self.many_rows("a.cambrian", 200000, insert)
         self.run_well("export", "a.cambrian", "--champion")
         for arguments in [["verify", "a.cambrian"], ["evolve", "-r", "a.cambrian", "-n", 4]]:
             self.assertLess(self.memory_of(*arguments, status=BAD_INPUT), 200e6)

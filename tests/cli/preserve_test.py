@@ -84,22 +84,22 @@ class Preserve(ProgramTest):
         self.assertEqual(one, seven)
 
     def test_a_preserve_resumed_is_the_one_that_was_never_stopped(self):
-        uncut = self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 180, "-o", "uncut.cambrian")
-        first = self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 95, "-o", "a.cambrian")
-        self.assertEqual(first, uncut[:9])
-        rest = self.rows("--resume", "a.cambrian", "--seconds", 180)
+        uncut = self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 120, "-o", "uncut.cambrian")
+        first = self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 75, "-o", "a.cambrian")
+        self.assertEqual(first, uncut[:7])
+        rest = self.rows("--resume", "a.cambrian", "--seconds", 120)
         self.assertEqual(rest, uncut[6:])
         self.assertEqual(self.snapshots("a.cambrian"), self.snapshots("uncut.cambrian"))
         for option in ("--lives", "--series"):
             both = [self.run_well("export", name, option).stdout
                     for name in ("uncut.cambrian", "a.cambrian")]
             self.assertEqual(both[0], both[1])
-        self.assertIn("replay verified, 4 snapshots up to 180 s",
+        self.assertIn("replay verified, 3 snapshots up to 120 s",
                       self.run_well("verify", "a.cambrian").stdout)
         series = list(csv.DictReader(both[0].splitlines()))
-        self.assertEqual(len(series), 18)
-        self.assert_refused(self.run_program("preserve", "-r", "a.cambrian", "--seconds", 180),
-                            "a.cambrian: has reached 180 s; --seconds T asks for more")
+        self.assertEqual(len(series), 12)
+        self.assert_refused(self.run_program("preserve", "-r", "a.cambrian", "--seconds", 120),
+                            "a.cambrian: has reached 120 s; --seconds T asks for more")
 
     def test_the_museum_of_a_preserve_is_exported_as_creature_files(self):
         self.write("rich.toml", RICH)
@@ -119,18 +119,18 @@ class Preserve(ProgramTest):
                             "expected a folder without such files")
 
     def test_a_killed_preserve_loses_at_most_a_minute_of_its_time(self):
-        expected = self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 300)
+        expected = self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 120)
         process = subprocess.Popen(
             [CAMBRIAN, "preserve", "pond.toml", "-f", *map(str, SWIMMERS), "-o", "a.cambrian",
              "--json"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
             encoding="utf-8")
         with process:
-            seen = [json.loads(process.stdout.readline())["time"] for _ in range(20)]
+            seen = [json.loads(process.stdout.readline())["time"] for _ in range(8)]
             process.send_signal(signal.SIGKILL)
         kept = self.snapshots("a.cambrian")[-1][0] / 60
         self.assertGreaterEqual(kept, seen[-1] - 60)
-        rest = self.rows("-r", "a.cambrian", "--seconds", 300 if kept < 300 else kept + 60)
-        if kept < 300:
+        rest = self.rows("-r", "a.cambrian", "--seconds", 120 if kept < 120 else kept + 60)
+        if kept < 120:
             self.assertEqual(rest, expected[int(kept / 10):])
         self.assertIn("replay verified", self.run_well("verify", "a.cambrian").stdout)
 

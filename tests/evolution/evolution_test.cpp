@@ -105,7 +105,7 @@ TEST_CASE("a population of 2 evolves under every selection and every way of bree
     }
 }
 
-constexpr int kLargePopulation = test::by_build(20'000, 1'000);
+constexpr int kLargePopulation = test::by_build(10'000, 1'000);
 
 TEST_CASE("a large population evolves under every selection, bred in every way", "[evolution]") {
     const auto& ways = kinds().breeding.all();

@@ -54,7 +54,7 @@ TEST_CASE("whatever the settings, they are read back and written to the same byt
     RandomStream stream(81);
     const auto fields = setting_fields(kinds());
     int checked = 0;
-    while (checked < test::by_build(400, 60)) {
+    while (checked < test::by_build(200, 60)) {
         ExperimentSettings settings;
         for (const SettingField& field : fields)
             randomize(field, settings, stream);

@@ -55,7 +55,7 @@ std::vector<RunSpec> long_plan() {
 }
 
 std::vector<RunSpec> quick_plan() {
-    constexpr std::uint64_t kSeeds = 9;
+    constexpr std::uint64_t kSeeds = 7;
     std::vector<RunSpec> runs;
     // Walking is won early.
     for (const auto& [goal, budget] : {std::pair{"swimming", 900}, std::pair{"walking", 450}}) {
