@@ -1,5 +1,7 @@
 #include "pictures/scene/scene_builder.h"
 
+#include "pictures/scene/bout_scene.h"
+#include "pictures/scene/follow_camera.h"
 #include "support/catch.h"
 #include "support/creatures.h"
 #include "support/kinds.h"
@@ -111,6 +113,32 @@ TEST_CASE("marks are at 1, 2 or 5 times a power of ten, far enough apart",
         CHECK(spacing * scale >= 60.0 * (1.0 - 1e-12));
         CHECK(spacing * scale <= 60.0 * 2.5 * (1.0 + 1e-12));
     }
+}
+
+TEST_CASE("the window of a contest has the creature, the cube and the opponent",
+          "[pictures][scene_builder]") {
+    const Phenotype phenotype = grown_crawler();
+    const auto poses = rest_poses(phenotype);
+    auto far_poses = poses;
+    for (Pose& pose : far_poses)
+        pose.position.x() += 9.0;
+    BoutLook look;
+    look.cube.position.x() = 4.0;
+    const WorldWindow body = body_window(phenotype, poses);
+    const WorldWindow with_cube = with_bout(body, look);
+    CHECK(with_cube.low.x() == body.low.x());
+    CHECK(with_cube.high.x() > 4.0);
+    CHECK(with_cube.high.x() < 5.0);
+    look.opponent = &phenotype;
+    look.poses = far_poses;
+    CHECK(with_bout(body, look).high.x() == Approx(body.high.x() + 9.0));
+}
+
+TEST_CASE("an opponent of the same lineage has another colour", "[pictures][scene_builder]") {
+    CHECK(apart_from(0.2, 0.7) == 0.7);
+    CHECK(apart_from(0.2, 0.2) == Approx(0.7));
+    CHECK(apart_from(0.95, 0.02) == Approx(0.45));
+    CHECK(apart_from(0.95, 0.2) == 0.2);
 }
 
 TEST_CASE("no ground is drawn when it is out of sight", "[pictures][scene_builder]") {

@@ -19,6 +19,13 @@ struct BoutLook {
     double hue = 0.0;  // hue of its lineage, in turns
 };
 
+// Returns the hue in which an opponent is drawn: its own, or the opposite one if that is too close
+// to the hue of the creature it contends with. Hues are in turns.
+double apart_from(double hue, double opponent);
+
+// Extends the window of a creature by the cube and the opponent.
+WorldWindow with_bout(const WorldWindow& body, const BoutLook& look);
+
 void add_bout(SceneFrame& frame, const Palette& palette, const Camera& camera,
               const BoutLook& look);
 

@@ -20,16 +20,15 @@ constexpr std::size_t kFramesALook = 3;
 constexpr double kMarkPixels = 70.0;  // least distance of labelled ground marks, at label size 13
 constexpr double kTrailDot = 2.2;     // radius in pixels, at label size 13
 
+// The cube and the opponent, without the opponent's colour.
+BoutLook bodies_of(const RecordedMotion& motion, const BoutFrame& frame) {
+    return {frame.cube, motion.opponent.get(), frame.opponent, frame.stretches};
+}
+
 // The rectangle of the world that contains all bodies.
 WorldWindow window_of(const RecordedMotion& motion, const MotionFrame& frame) {
-    WorldWindow window = body_window(*motion.phenotype, frame.poses);
-    if (!frame.bout) return window;
-    const Vec2 cube = frame.bout->cube.position.head<2>();
-    window.low = window.low.cwiseMin(cube - Vec2::Constant(2.0 * kHalfCube));
-    window.high = window.high.cwiseMax(cube + Vec2::Constant(2.0 * kHalfCube));
-    if (motion.opponent == nullptr) return window;
-    const WorldWindow other = body_window(*motion.opponent, frame.bout->opponent);
-    return {window.low.cwiseMin(other.low), window.high.cwiseMax(other.high)};
+    const WorldWindow body = body_window(*motion.phenotype, frame.poses);
+    return frame.bout ? with_bout(body, bodies_of(motion, *frame.bout)) : body;
 }
 
 Vec2 size_of_body(const RecordedMotion& motion, const MotionFrame& frame) {
@@ -60,10 +59,10 @@ SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& 
                     kTrailDot * style.label_size / 13.0 * camera.pixel(),
                     with_alpha(style.palette.accent, 0.8F));
     if (shown.bout) {
-        const TrialWorld& world = subject.creature.settings->world;
-        add_bout(scene, style.palette, camera,
-                 {shown.bout->cube, subject.motion().opponent.get(), shown.bout->opponent,
-                  shown.bout->stretches, world.opponents.hue_of_trial(0)});
+        BoutLook bodies = bodies_of(subject.motion(), *shown.bout);
+        bodies.hue =
+            apart_from(subject.hue(), subject.creature.settings->world.opponents.hue_of_trial(0));
+        add_bout(scene, style.palette, camera, bodies);
     }
     if (shown.light) add_light(scene, camera, viewport, shown.light->head<2>());
     add_creature(scene, style.palette, camera, look);

@@ -44,6 +44,20 @@ std::string second_line(const FrameContext& frame) {
     return line;
 }
 
+// Returns the cube and the opponent of the displayed contest, without the opponent's colour.
+BoutLook bodies_of(const Playback& playback) {
+    const ShownBout& shown = playback.creature().bout();
+    return {shown.cube().poses().front(), playback.trial().bout()->opponent_body().get(),
+            shown.opponent().poses(), shown.opponent().stretches()};
+}
+
+// Returns the window with the displayed creature and, in a contest, with the cube and the opponent.
+WorldWindow shown_bounds(const Playback& playback) {
+    const PlayedCreature& creature = playback.creature();
+    const WorldWindow body = body_window(creature.phenotype(), creature.motion().poses());
+    return playback.trial().bout() == nullptr ? body : with_bout(body, bodies_of(playback));
+}
+
 }  // namespace
 
 void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
@@ -76,16 +90,19 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
 }
 
 Vec2 ViewportPanel::follow_target(const FrameContext& frame) const {
-    return follow_center(frame.viewer.playback.creature().motion().center().head<2>(),
-                         frame.viewer.playback.creature().replay().environment().has_ground,
+    const Playback& playback = frame.viewer.playback;
+    Vec2 center = playback.creature().motion().center().head<2>();
+    if (playback.trial().bout() != nullptr) {
+        const WorldWindow bounds = shown_bounds(playback);
+        center.x() = 0.5 * (bounds.low.x() + bounds.high.x());
+    }
+    return follow_center(center, playback.creature().replay().environment().has_ground,
                          canvas_.camera, canvas_.size());
 }
 
 void ViewportPanel::fit_now(const FrameContext& frame) {
     fit_wanted_ = false;
-    const WorldWindow bounds = body_window(frame.viewer.playback.creature().phenotype(),
-                                           frame.viewer.playback.creature().motion().poses());
-    canvas_.camera.fit(bounds, kFitShare, canvas_.size());
+    canvas_.camera.fit(shown_bounds(frame.viewer.playback), kFitShare, canvas_.size());
     canvas_.camera.center = follow_target(frame);
 }
 
@@ -95,8 +112,7 @@ void ViewportPanel::place_camera(const FrameContext& frame) {
     if (changed && !fit_wanted_) {
         // A new creature keeps the scale, so that sizes can be compared, unless it would not be
         // visible.
-        const WorldWindow bounds =
-            body_window(*seen_, frame.viewer.playback.creature().motion().poses());
+        const WorldWindow bounds = shown_bounds(frame.viewer.playback);
         const Vec2 pixels = (bounds.high - bounds.low) * canvas_.camera.pixels_per_metre;
         const double share =
             std::max(pixels.x() / canvas_.size().width, pixels.y() / canvas_.size().height);
@@ -232,12 +248,11 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
 }
 
 void ViewportPanel::show_bout(const Playback& playback) {
-    const ShownBout& shown = playback.creature().bout();
     const TrialWorld& world = playback.trial().world();
-    add_bout(canvas_.frame, colors(), canvas_.camera,
-             {shown.cube().poses().front(), playback.trial().bout()->opponent_body().get(),
-              shown.opponent().poses(), shown.opponent().stretches(),
-              world.opponents.hue_of_trial(world.light.trial)});
+    BoutLook look = bodies_of(playback);
+    look.hue = apart_from(playback.exhibit().genome()->hue,
+                          world.opponents.hue_of_trial(world.light.trial));
+    add_bout(canvas_.frame, colors(), canvas_.camera, look);
 }
 
 void ViewportPanel::draw_marks(const FrameContext& frame) {
