@@ -8,6 +8,7 @@
 #include "core/random.h"
 #include "evolution/evolution.h"
 #include "evolution/individual/population_digest.h"
+#include "evolution/settings/goal_defaults.h"
 #include "persist/creature/creature_file.h"
 #include "persist/text/digest_text.h"
 #include "simulator/simulator_version.h"
@@ -80,6 +81,20 @@ TEST_CASE("several trials, probes and early-termination thresholds are transferr
     settings.world.trial.tilt_jitter = 5.0;
     settings.world.trial.combine = GENERATE("mean", "minimum");
     settings.selection.confirm_jitter = 0.03;
+    Cluster cluster(2);
+    CHECK(digests_of_run(settings, *cluster.backend) == local_digests(settings));
+    CHECK(cluster.counts().units > 0);
+    CHECK(cluster.counts().refused == 0);
+}
+
+TEST_CASE("workers judge a contest against the opponents of each generation",
+          "[cluster][threads]") {
+    ExperimentSettings settings = drill_settings();
+    settings.goal = "competition";
+    settings.generations = 4;
+    settings.population.size = 24;
+    adopt_defaults(settings, *kinds().goals.find(settings.goal));
+    settings.world.trial.duration = 1.0;
     Cluster cluster(2);
     CHECK(digests_of_run(settings, *cluster.backend) == local_digests(settings));
     CHECK(cluster.counts().units > 0);

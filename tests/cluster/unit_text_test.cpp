@@ -5,6 +5,7 @@
 #include "cluster/units/unit_child.h"
 #include "core/random.h"
 #include "evolution/evaluation/trials.h"
+#include "evolution/settings/goal_defaults.h"
 #include "genome/founders/random_genome.h"
 #include "persist/creature/creature_file.h"
 #include "persist/settings/settings_file.h"
@@ -132,6 +133,35 @@ TEST_CASE("what a result depends on of the settings travels, and nothing else", 
     CHECK(judging_settings(settings, kinds())->key == judging->key);
     settings.selection.confirm_jitter = 0.01;
     CHECK(judging_settings(settings, kinds())->key != judging->key);
+}
+
+TEST_CASE("the opponents of a contest travel with the settings", "[cluster]") {
+    ExperimentSettings settings;
+    settings.goal = "competition";
+    adopt_defaults(settings, *kinds().goals.find(settings.goal));
+    for (const EvaluationRequest& request : requests(3))
+        settings.world.opponents.genomes.push_back(request.genome);
+    const Result<JudgingSettings> judging = judging_settings(settings, kinds());
+    REQUIRE(judging);
+    const Result<ExperimentSettings> read = read_judging_settings(judging->text, "sent", kinds());
+    REQUIRE(read);
+    CHECK(read->world.opponents == settings.world.opponents);
+    std::swap(settings.world.opponents.genomes[0], settings.world.opponents.genomes[1]);
+    CHECK(judging_settings(settings, kinds())->key != judging->key);
+    // Whatever is cut off or repeated is refused or read whole.
+    for (std::size_t size = 0; size < judging->text.size(); size += 97) {
+        const auto cut = read_judging_settings(judging->text.substr(0, size), "sent", kinds());
+        CHECK((!cut || cut->world.opponents.genomes.size() < 3));
+    }
+    const std::string opponents = judging->text.substr(judging->text.find("\n# opponent:\n"));
+    std::string many = judging->text;
+    while (many.size() + opponents.size() < kMostSettingsBytes)
+        many += opponents;
+    const auto refused = read_judging_settings(many, "sent", kinds());
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().message == "sent: more than 50 opponents");
+    many += many;
+    CHECK(read_judging_settings(many, "sent", kinds()).error().message == "sent: too large");
 }
 
 TEST_CASE("a process of its own answers with the results of this one", "[cluster]") {

@@ -12,8 +12,10 @@
 
 namespace cambrian {
 
+// A settings file in which all other settings have their default and, for a contest, a creature
+// file for each opponent, each after a line that says so.
 struct JudgingSettings {
-    std::string text;       // a settings file in which all other settings have their default
+    std::string text;
     std::uint64_t key = 0;  // hash of the text
 };
 
@@ -22,8 +24,13 @@ bool judge_alike(const ExperimentSettings& a, const ExperimentSettings& b);
 
 std::uint64_t settings_key(std::string_view text);
 
-// Fails if reading the text would not give settings with the same results.
+// Fails if reading the text would not give settings with the same results, or if it is larger than
+// kMostSettingsBytes.
 Result<JudgingSettings> judging_settings(const ExperimentSettings& settings,
                                          const EvolutionKinds& kinds);
+
+// Reads the text; `source` names it in messages.
+Result<ExperimentSettings> read_judging_settings(std::string_view text, std::string_view source,
+                                                 const EvolutionKinds& kinds);
 
 }  // namespace cambrian

@@ -1,9 +1,9 @@
 #include "cluster/units/unit_child.h"
 
+#include "cluster/messages/judging_settings.h"
 #include "cluster/messages/message_text.h"
 #include "cluster/messages/work_queue.h"
 #include "cluster/units/unit_work.h"
-#include "persist/settings/settings_file.h"
 
 namespace cambrian {
 namespace {
@@ -41,7 +41,7 @@ Result<std::string> answer_question(std::string_view question, const EvolutionKi
         end == std::string_view::npos ? std::string_view{} : question.substr(end + 1);
     if (rest.size() < head->settings_bytes) return Error{kQuestionKind.format + ": it is cut off"};
     const Result<ExperimentSettings> settings =
-        parse_settings(rest.substr(0, head->settings_bytes), kQuestionKind.format, kinds);
+        read_judging_settings(rest.substr(0, head->settings_bytes), kQuestionKind.format, kinds);
     if (!settings) return settings.error();
     UnitReader reader(kinds);
     const Result<Unit> unit = reader.read(rest.substr(head->settings_bytes));

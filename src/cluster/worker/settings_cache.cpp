@@ -1,8 +1,6 @@
 #include "cluster/worker/settings_cache.h"
 
 #include "cluster/messages/judging_settings.h"
-#include "cluster/messages/work_queue.h"
-#include "persist/settings/settings_file.h"
 
 #include <algorithm>
 #include <memory>
@@ -21,10 +19,9 @@ SettingsPtr SettingsCache::find(std::uint64_t key) {
 
 Result<SettingsPtr> SettingsCache::add(std::uint64_t key, std::string_view text,
                                        const EvolutionKinds& kinds) {
-    if (text.size() > kMostSettingsBytes) return Error{"settings of a run: too large"};
     if (settings_key(text) != key)
         return Error{"settings of a run: they are not those the run asks for"};
-    Result<ExperimentSettings> read = parse_settings(text, "settings of a run", kinds);
+    Result<ExperimentSettings> read = read_judging_settings(text, "settings of a run", kinds);
     if (!read) return read.error();
     SettingsPtr settings = std::make_shared<const ExperimentSettings>(*std::move(read));
     const std::lock_guard lock(mutex_);
