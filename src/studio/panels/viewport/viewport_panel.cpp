@@ -17,8 +17,9 @@
 namespace cambrian {
 namespace {
 
-constexpr double kFollowLag = 0.25;  // s; time constant with which the camera follows
-constexpr double kFitShare = 0.32;   // share of the viewport filled by a body after FitView
+constexpr double kFollowLag = 0.25;         // s; time constant with which the camera follows
+constexpr double kFitShare = 0.32;          // share of the viewport filled by a body after FitView
+constexpr double kFitShareOfContest = 0.8;  // the same, by both creatures and the cube
 // Pixels from the top that the text about the creature takes.
 constexpr float kWordsHeight = 100.0F;
 constexpr double kFarthestLight = 1000.0;  // m; limit of the setting
@@ -102,7 +103,9 @@ Vec2 ViewportPanel::follow_target(const FrameContext& frame) const {
 
 void ViewportPanel::fit_now(const FrameContext& frame) {
     fit_wanted_ = false;
-    canvas_.camera.fit(shown_bounds(frame.viewer.playback), kFitShare, canvas_.size());
+    const Playback& playback = frame.viewer.playback;
+    const double share = playback.trial().bout() == nullptr ? kFitShare : kFitShareOfContest;
+    canvas_.camera.fit(shown_bounds(playback), share, canvas_.size());
     canvas_.camera.center = follow_target(frame);
 }
 
@@ -116,7 +119,8 @@ void ViewportPanel::place_camera(const FrameContext& frame) {
         const Vec2 pixels = (bounds.high - bounds.low) * canvas_.camera.pixels_per_metre;
         const double share =
             std::max(pixels.x() / canvas_.size().width, pixels.y() / canvas_.size().height);
-        fit_wanted_ = share > 0.7 || share < 0.12;
+        const bool contest = frame.viewer.playback.trial().bout() != nullptr;
+        fit_wanted_ = contest || share > 0.7 || share < 0.12;
         if (frame.view.follow) canvas_.camera.center = follow_target(frame);
     }
     if (fit_wanted_) {
