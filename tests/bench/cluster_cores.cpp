@@ -29,6 +29,7 @@
 #include <deque>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <sys/resource.h>
 #include <thread>
@@ -172,24 +173,36 @@ private:
     }
     // Creatures are identified by the unit's first line. Their documents are not read, since two
     // cores cannot read for hundreds.
-    void answer(const Delivery& delivery) {
+    struct Reply {
+        UnitResult unit;
+        double reading = 0.0;  // core-seconds to read the unit
+    };
+    // Returns nothing for a unit of another run, which an earlier benchmark may have left.
+    std::optional<Reply> reply_to(const Delivery& delivery) const {
         const std::string& body = delivery.unit.body;
         const auto line = nlohmann::json::parse(body.substr(0, body.find('\n')));
-        UnitResult all{.worker = id_, .deliveries = delivery.times, .seconds = 0.0, .results = {}};
-        double reading = 0.0;
+        Reply reply;
+        reply.unit.worker = id_;
+        reply.unit.deliveries = delivery.times;
         for (const auto& creature : line.at("creatures")) {
             const auto genome = parse_digest(creature.at("genome").get<std::string>()).value();
             const auto seed = parse_digest(creature.at("seed").get<std::string>()).value();
-            const Answer& answer = answers_.at({genome, seed});
-            reading += answer.reading;
-            all.seconds += answer.seconds;
-            all.results.push_back(
-                {creature.at("slot").get<std::uint32_t>(), genome, answer.result});
+            const auto found = answers_.find({genome, seed});
+            if (found == answers_.end()) return std::nullopt;
+            reply.reading += found->second.reading;
+            reply.unit.seconds += found->second.seconds;
+            reply.unit.results.push_back(
+                {creature.at("slot").get<std::uint32_t>(), genome, found->second.result});
         }
-        std::this_thread::sleep_for(std::chrono::duration<double>(reading));
-        std::this_thread::sleep_for(std::chrono::duration<double>(all.seconds));
-        while (!queue_->publish_result({delivery.unit.id, write_unit_result(all)}))
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        return reply;
+    }
+    void answer(const Delivery& delivery) {
+        if (const auto reply = reply_to(delivery)) {
+            std::this_thread::sleep_for(
+                std::chrono::duration<double>(reply->reading + reply->unit.seconds));
+            while (!queue_->publish_result({delivery.unit.id, write_unit_result(reply->unit)}))
+                std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
         queue_->acknowledge(delivery.ticket);
     }
 
