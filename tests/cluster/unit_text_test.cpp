@@ -148,7 +148,7 @@ TEST_CASE("the opponents of a contest travel with the settings", "[cluster]") {
     CHECK(read->world.opponents == settings.world.opponents);
     std::swap(settings.world.opponents.genomes[0], settings.world.opponents.genomes[1]);
     CHECK(judging_settings(settings, kinds())->key != judging->key);
-    // Whatever is cut off or repeated is refused or read whole.
+    // A text that is cut off is refused, or it has fewer opponents.
     for (std::size_t size = 0; size < judging->text.size(); size += 97) {
         const auto cut = read_judging_settings(judging->text.substr(0, size), "sent", kinds());
         CHECK((!cut || cut->world.opponents.genomes.size() < 3));
