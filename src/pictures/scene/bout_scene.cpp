@@ -43,7 +43,8 @@ void add_bout(SceneFrame& frame, const Palette& palette, const Camera& camera,
     cube.outline = kCubeEdge;
     frame.shapes.push_back(cube);
     if (look.opponent == nullptr) return;
-    const CreatureLook opponent{*look.opponent, look.poses, {}, look.hue, {}, look.stretches};
+    const double hue = apart_from(look.beside, look.hue);
+    const CreatureLook opponent{*look.opponent, look.poses, {}, hue, {}, look.stretches};
     add_shadow(frame, opponent);
     add_creature(frame, palette, camera, opponent);
 }

@@ -16,7 +16,8 @@ struct BoutLook {
     const Phenotype* opponent = nullptr;  // null without one
     std::span<const Pose> poses = {};     // of its parts
     std::span<const double> stretches = {};
-    double hue = 0.0;  // hue of its lineage, in turns
+    double hue = 0.0;     // hue of its lineage, in turns
+    double beside = 0.0;  // that of the creature it contends with
 };
 
 // Returns the hue in which an opponent is drawn: its own, or the opposite one if that is too close

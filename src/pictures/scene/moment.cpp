@@ -20,7 +20,7 @@ constexpr std::size_t kFramesALook = 3;
 constexpr double kMarkPixels = 70.0;  // least distance of labelled ground marks, at label size 13
 constexpr double kTrailDot = 2.2;     // radius in pixels, at label size 13
 
-// The cube and the opponent, without the opponent's colour.
+// The cube and the opponent; their hues are left at 0.
 BoutLook bodies_of(const RecordedMotion& motion, const BoutFrame& frame) {
     return {frame.cube, motion.opponent.get(), frame.opponent, frame.stretches};
 }
@@ -60,8 +60,8 @@ SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& 
                     with_alpha(style.palette.accent, 0.8F));
     if (shown.bout) {
         BoutLook bodies = bodies_of(subject.motion(), *shown.bout);
-        bodies.hue =
-            apart_from(subject.hue(), subject.creature.settings->world.opponents.hue_of_trial(0));
+        bodies.hue = subject.creature.settings->world.opponents.hue_of_trial(0);
+        bodies.beside = subject.hue();
         add_bout(scene, style.palette, camera, bodies);
     }
     if (shown.light) add_light(scene, camera, viewport, shown.light->head<2>());

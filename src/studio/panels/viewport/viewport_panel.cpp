@@ -45,18 +45,22 @@ std::string second_line(const FrameContext& frame) {
     return line;
 }
 
-// Returns the cube and the opponent of the displayed contest, without the opponent's colour.
-BoutLook bodies_of(const Playback& playback) {
+BoutLook bout_look(const Playback& playback) {
     const ShownBout& shown = playback.creature().bout();
-    return {shown.cube().poses().front(), playback.trial().bout()->opponent_body().get(),
-            shown.opponent().poses(), shown.opponent().stretches()};
+    const TrialWorld& world = playback.trial().world();
+    return {shown.cube().poses().front(),
+            playback.trial().bout()->opponent_body().get(),
+            shown.opponent().poses(),
+            shown.opponent().stretches(),
+            world.opponents.hue_of_trial(world.light.trial),
+            playback.exhibit().genome()->hue};
 }
 
 // Returns the window with the displayed creature and, in a contest, with the cube and the opponent.
 WorldWindow shown_bounds(const Playback& playback) {
     const PlayedCreature& creature = playback.creature();
     const WorldWindow body = body_window(creature.phenotype(), creature.motion().poses());
-    return playback.trial().bout() == nullptr ? body : with_bout(body, bodies_of(playback));
+    return playback.trial().bout() == nullptr ? body : with_bout(body, bout_look(playback));
 }
 
 }  // namespace
@@ -237,7 +241,8 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
         add_ghost(
             scene, canvas_.camera,
             {ghost->phenotype(), ghost->poses(), {}, ghost->genome().hue, {}, ghost->stretches()});
-    if (playback.trial().bout() != nullptr) show_bout(playback);
+    if (playback.trial().bout() != nullptr)
+        add_bout(scene, palette, canvas_.camera, bout_look(playback));
     const LightSource& light = surroundings.source();
     if (light.is_on()) add_light(scene, canvas_.camera, canvas_.size(), light.place().head<2>());
     add_creature(scene, palette, canvas_.camera, look);
@@ -249,14 +254,6 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
         transform(playback.creature().motion().poses()[hold->part], hold->point_in_part);
     scene.add_line(from.head<2>(), hold->target.head<2>(), 2.0 * canvas_.camera.pixel(),
                    palette.danger);
-}
-
-void ViewportPanel::show_bout(const Playback& playback) {
-    const TrialWorld& world = playback.trial().world();
-    BoutLook look = bodies_of(playback);
-    look.hue = apart_from(playback.exhibit().genome()->hue,
-                          world.opponents.hue_of_trial(world.light.trial));
-    add_bout(canvas_.frame, colors(), canvas_.camera, look);
 }
 
 void ViewportPanel::draw_marks(const FrameContext& frame) {
