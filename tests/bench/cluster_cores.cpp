@@ -171,12 +171,12 @@ private:
             --in_hand_;
         }
     }
-    // Creatures are identified by the unit's first line. Their documents are not read, since two
-    // cores cannot read for hundreds.
     struct Reply {
         UnitResult unit;
         double reading = 0.0;  // core-seconds to read the unit
     };
+    // Creatures are identified by the unit's first line. Their documents are not read, since two
+    // cores cannot read for hundreds.
     // Returns nothing for a unit of another run, which an earlier benchmark may have left.
     std::optional<Reply> reply_to(const Delivery& delivery) const {
         const std::string& body = delivery.unit.body;
