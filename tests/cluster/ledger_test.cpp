@@ -400,3 +400,36 @@ TEST_CASE("answers to another batch are told apart", "[cluster]") {
     CHECK(batch.settled() == 0);
     CHECK(answer(0, genome_hash(*genome)));
 }
+
+TEST_CASE("a complete batch stays complete when another answer arrives", "[cluster]") {
+    Batch::Memory memory{.trust = Trust(1)};
+    for (std::uint32_t slot = 0; slot < 10'000; ++slot)
+        memory.trust.draw_check(1, 0, slot, 0.0);  // worker 1 is proven, worker 2 is new
+    auto genome = std::make_shared<Genome>();
+    genome->nodes.resize(1);
+    std::vector<EvaluationRequest> requests(2);
+    for (EvaluationRequest& request : requests)
+        request.genome = genome;
+    Batch batch(requests, 1, memory);
+    const Cores cores{.own = 1, .remote = 99};
+    const auto plan = batch.next_unit(0.0, cores);
+    REQUIRE(plan);
+    batch.finish_at_home(1, with_fitness(2.0), 0.1);
+    const auto answer = [&](std::uint64_t worker, double fitness) {
+        UnitResult unit;
+        unit.worker = worker;
+        unit.results.push_back({0, genome_hash(*genome), with_fitness(fitness)});
+        return batch.take_result(plan->number, unit, 0.0, cores);
+    };
+    CHECK(answer(1, 1.0));
+    REQUIRE(batch.complete());
+    const double fitness = GENERATE(1.0, 1.5, 3.0);
+    CHECK(answer(2, fitness));
+    CHECK(batch.complete());
+    CHECK(batch.settled() == 2);
+    CHECK(batch.result(0)->fitness == 1.0);
+    CHECK(memory.counts.duplicates == 1);
+    batch.finish_at_home(0, with_fitness(fitness), 0.1);
+    CHECK(batch.complete());
+    CHECK(batch.result(0)->fitness == 1.0);
+}

@@ -62,6 +62,7 @@ std::optional<Batch::HomeTask> Batch::next_home_task(double now, const Cores& co
 }
 
 void Batch::finish_at_home(std::size_t creature, EvaluationResult result, double seconds) {
+    if (complete_) return;
     memory_.costs.learn(1, result.work, seconds);
     core_seconds_ += seconds;
     if (result.outcome == Outcome::kCompleted) best_ = std::max(best_, result.fitness);
@@ -133,8 +134,10 @@ std::vector<std::size_t> Batch::close(std::uint32_t unit, double now) {
 }
 
 bool Batch::complete() {
+    if (complete_) return true;
     if (!answers_.all_settled() || answers_.check_leader()) return false;
     memory_.last_best = best_;
+    complete_ = true;
     return true;
 }
 
@@ -142,6 +145,10 @@ bool Batch::take_result(std::uint32_t unit, const UnitResult& result, double now
                         const Cores& cores) {
     if (!is_answer(result)) return false;
     if (result.deliveries > 1) ++memory_.counts.redelivered;
+    if (complete_) {
+        memory_.counts.duplicates += result.results.size();
+        return true;
+    }
     if (memory_.trust.refused(result.worker)) {
         ++memory_.counts.refused;
         ledger_.reopen(close(unit, now));

@@ -64,11 +64,13 @@ public:
     void not_deliverable(std::uint32_t unit) { ledger_.expect_no_more(unit); }
     bool anything_outstanding() const { return ledger_.outstanding() > 0; }
 
-    // Returns false if the result is no answer to this batch.
+    // Returns false if the result is no answer to this batch. Once the batch is complete, answers
+    // are counted and dropped.
     bool take_result(std::uint32_t unit, const UnitResult& result, double now, const Cores& cores);
 
     std::size_t settled() const { return answers_.settled(); }
-    // Whether every creature has a result that counts, and the best is certain.
+    // Whether every creature has a result that counts, and the best is certain. A complete batch
+    // stays complete.
     bool complete();
     const EvaluationResult* result(std::size_t creature) const { return answers_.result(creature); }
     double core_seconds() const { return core_seconds_; }  // time that its results took
@@ -94,6 +96,7 @@ private:
     std::size_t most_creatures_;
     double best_ = 0.0;  // fitness of any result so far
     double core_seconds_ = 0.0;
+    bool complete_ = false;
 };
 
 }  // namespace cambrian
