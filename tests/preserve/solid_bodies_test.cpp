@@ -13,16 +13,25 @@ namespace {
 
 using namespace test;
 
-// Bodies in space without gravity.
+Environment bouncy_space() {
+    Environment space = empty_space();
+    space.elasticity = 0.5;
+    return space;
+}
+
 class Bodies {
 public:
-    explicit Bodies(std::size_t workers = 1) : solid_(creature_kinds().scene), pool_(workers) {
-        space_.elasticity = 0.5;
-    }
+    explicit Bodies(std::size_t workers = 1, Environment environment = bouncy_space(),
+                    std::vector<FixedBox> walls = {})
+        : environment_(std::move(environment)),
+          walls_(std::move(walls)),
+          solid_(creature_kinds().scene),
+          pool_(workers) {}
 
     PhysicsScene& add(const BodyPlan& plan, const Vec3& velocity) {
-        auto scene = creature_kinds().scene.make(plan, space_, {});
+        auto scene = creature_kinds().scene.make(plan, environment_, {});
         REQUIRE(scene);
+        (*scene)->set_fixed_boxes(walls_);
         SceneMotion motion = (*scene)->motion();
         motion.speeds[motion.speeds.size() - 2] = velocity.x();
         motion.speeds[motion.speeds.size() - 1] = velocity.y();
@@ -44,9 +53,7 @@ public:
 
     // Returns the pairs of overlapping bodies that were neither joined nor crowded.
     int missed() const {
-        std::vector<Extent> extents(scenes_.size());
-        for (std::size_t i = 0; i < scenes_.size(); ++i)
-            find_parts(*scenes_[i], extents[i]);
+        const std::vector<Extent> extents = all_extents();
         int missed = 0;
         for (std::uint32_t a = 0; a < scenes_.size(); ++a) {
             for (std::uint32_t b = a + 1; b < scenes_.size(); ++b) {
@@ -68,6 +75,16 @@ public:
             sum += scene->kinetic_energy();
         return sum;
     }
+    // Returns how far the two bodies that overlap most overlap (m).
+    double deepest_overlap() const {
+        const std::vector<Extent> extents = all_extents();
+        double depth = 0.0;
+        for (std::size_t a = 0; a < extents.size(); ++a) {
+            for (std::size_t b = a + 1; b < extents.size(); ++b)
+                depth = std::max(depth, -gap_between(extents[a], extents[b], 0.0));
+        }
+        return depth;
+    }
     double deepest() const {
         double depth = 0.0;
         for (const auto& scene : scenes_)
@@ -86,6 +103,12 @@ public:
     std::size_t size() const { return scenes_.size(); }
 
 private:
+    std::vector<Extent> all_extents() const {
+        std::vector<Extent> extents(scenes_.size());
+        for (std::size_t i = 0; i < scenes_.size(); ++i)
+            find_parts(*scenes_[i], extents[i]);
+        return extents;
+    }
     static bool meet(const Extent& a, const Extent& b) {
         for (const Rectangle& first : a.parts) {
             for (const Rectangle& second : b.parts) {
@@ -100,7 +123,8 @@ private:
             [&](const NearPair& pair) { return pair.first == a && pair.second == b; });
     }
 
-    Environment space_ = empty_space();
+    Environment environment_;
+    std::vector<FixedBox> walls_;
     SolidBodies solid_;
     ThreadPool pool_;
     std::vector<std::unique_ptr<PhysicsScene>> scenes_;
@@ -153,6 +177,76 @@ TEST_CASE("a hundred crowded boxes stay bounded and keep their momentum", "[pres
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         CHECK(bodies.status(i) == SceneStatus::kRunning);
         CHECK(bodies[i].center_of_mass().norm() < 10.0);
+    }
+}
+
+TEST_CASE("a hundred boxes dropped into a pit stay in it, and apart", "[preserve][solid]") {
+    constexpr double kHalfWidth = 1.6;
+    std::vector<FixedBox> walls;
+    for (const double side : {-1.0, 1.0}) {
+        const double x = side * (kHalfWidth + 0.2);
+        walls.push_back(box_around({x, 0.0, 0.0}, {x, 8.0, 0.0}, 0.2));
+    }
+    Bodies boxes(1, Environment{}, std::move(walls));
+    RandomStream random(stream_seed({5, static_cast<std::uint64_t>(Purpose::kTest)}));
+    for (int i = 0; i < 100; ++i) {
+        const double x = 0.46 * (i % 6 - 2.5) + random.uniform(-0.02, 0.02);
+        const double angle = random.uniform(0.0, 1.5);
+        boxes.add(one_box(0.16 - 0.01 * (i % 3), 0.15, x, 0.3 + 0.46 * (i / 6), angle),
+                  Vec3::Zero());
+    }
+    double deepest = 0.0;
+    for (int tick = 0; tick < 90; ++tick) {
+        boxes.tick();
+        deepest = std::max(deepest, boxes.deepest_overlap());
+    }
+    CHECK(deepest <= 0.1);
+    CHECK(boxes.counts().crowded_ticks > 1000);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        CHECK(boxes.status(i) == SceneStatus::kRunning);
+        CHECK(std::fabs(boxes[i].center_of_mass().x()) < kHalfWidth);
+        CHECK(boxes[i].bounds().low.y() > -0.02);
+    }
+}
+
+// A floor of 4.8 m with a wall at each end, as one body.
+BodyPlan floating_pit() {
+    BodyPlan pit = one_box(2.4, 0.5, 0.0, -0.5);
+    for (const double side : {-1.0, 1.0}) {
+        PlannedPart wall = one_box(0.3, 2.0, side * 2.1, 2.0).parts[0];
+        wall.parent = 0;
+        wall.motion = kRigidJoint;
+        wall.anchor_in_parent = Vec3(side * 2.1, 0.5, 0.0);
+        wall.anchor_in_child = Vec3(0.0, -2.0, 0.0);
+        pit.parts.push_back(wall);
+    }
+    return pit;
+}
+
+TEST_CASE("a hundred boxes thrown into a floating pit keep the momentum of all",
+          "[preserve][solid]") {
+    Bodies bodies(1, empty_space());
+    const PhysicsScene& pit = bodies.add(floating_pit(), Vec3(0.0, 0.5, 0.0));
+    for (int i = 0; i < 100; ++i) {
+        const double x = 0.34 * (i % 10 - 4.5) + 0.02 * (i / 10 % 3 - 1);
+        bodies.add(one_box(0.16 - 0.01 * (i % 3), 0.15, x, 0.3 + 0.36 * (i / 10)),
+                   Vec3(0.02 * (i % 7), -2.0, 0.0));
+    }
+    const Vec3 before = bodies.momentum();
+    double deepest = 0.0;
+    for (int tick = 0; tick < 120; ++tick) {
+        bodies.tick();
+        deepest = std::max(deepest, bodies.deepest_overlap());
+    }
+    CHECK((bodies.momentum() - before).norm() < 1e-12 * before.norm());
+    CHECK(deepest <= 0.1);
+    CHECK(bodies.counts().crowded_ticks > 100);
+    for (std::size_t i = 1; i < bodies.size(); ++i) {
+        const Vec3 place = bodies[i].center_of_mass() - pit.part_center(0);
+        CHECK(bodies.status(i) == SceneStatus::kRunning);
+        CHECK(std::fabs(place.x()) < 1.8);
+        CHECK(place.y() > 0.5);
+        CHECK(place.y() < 5.0);
     }
 }
 
