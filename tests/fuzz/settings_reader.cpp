@@ -1,5 +1,5 @@
-// Fuzzes settings files: the reader gives settings that pass their check, or a message. Loaded
-// settings are written and read again without change.
+// Fuzzes settings files, of experiments and of preserves: the reader gives settings that pass their
+// check, or a message. Loaded settings are written and read again without change.
 
 #include "evolution/fields/setting_field.h"
 #include "fuzz/fuzz_target.h"
@@ -9,16 +9,27 @@
 using namespace cambrian;
 using namespace cambrian::test;
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const auto settings = parse_settings(text_of(data, size), "input", kinds());
+namespace {
+
+void read_as(SettingsUse use, std::string_view input) {
+    const auto settings = parse_settings(input, "input", kinds(), use);
     if (!settings) {
         promise(settings.error().message.starts_with("input: "), "a refusal names the file");
-        return 0;
+        return;
     }
-    promise(check_settings(*settings, kinds()).has_value(), "what is loaded passes its check");
-    const std::string text = write_settings(*settings, kinds());
-    const auto again = parse_settings(text, "again", kinds());
+    const Status check = use == SettingsUse::kPreserve ? check_preserve(*settings, kinds())
+                                                       : check_settings(*settings, kinds());
+    promise(check.has_value(), "what is loaded passes its check");
+    const std::string text = write_settings(*settings, kinds(), use);
+    const auto again = parse_settings(text, "again", kinds(), use);
     promise(again.has_value(), "what is written can be read");
-    promise(write_settings(*again, kinds()) == text, "writing again gives the same bytes");
+    promise(write_settings(*again, kinds(), use) == text, "writing again gives the same bytes");
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    for (const SettingsUse use : {SettingsUse::kExperiment, SettingsUse::kPreserve})
+        read_as(use, text_of(data, size));
     return 0;
 }
