@@ -24,6 +24,7 @@ inline constexpr const char* kMove = "move";
 inline constexpr const char* kRest = "rest";
 inline constexpr const char* kWall = "wall";
 inline constexpr const char* kErase = "erase";
+inline constexpr const char* kLaw = "law ";  // followed by the key of the setting (laws.h)
 }  // namespace intervention
 
 struct Intervention {
@@ -31,7 +32,9 @@ struct Intervention {
     std::string what = {};   // one of the names above
     std::uint64_t number =
         0;  // of the creature; of plants for kFeed, of all walls for kWall, kErase
-    double x = 0.0, y = 0.0;  // m; the place for kFeed, kAdd, kMove and kErase, an end for kWall
+    // m; the place for kFeed, kAdd, kMove and kErase, an end for kWall. For kLaw, x is the new
+    // value of the setting.
+    double x = 0.0, y = 0.0;
     double to_x = 0.0, to_y = 0.0;  // m; the other end for kWall
     GenomePtr genome = {};          // for kAdd
 };

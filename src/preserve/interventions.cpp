@@ -2,6 +2,7 @@
 
 #include "core/text/pretty_text.h"
 #include "math/elementary.h"
+#include "preserve/laws.h"
 #include "preserve/life/feeding.h"
 #include "preserve/preserve.h"
 
@@ -56,6 +57,10 @@ Result<std::uint64_t> Preserve::carry_out(const Intervention& asked) {
     if (asked.what == intervention::kWall)
         return build_wall({place, {asked.to_x, asked.to_y, 0.0}});
     if (asked.what == intervention::kErase) return erase_wall(place);
+    if (is_law(asked.what)) {
+        if (Status changed = change_law(asked); !changed) return changed.error();
+        return asked.number;
+    }
     const auto found = std::find_if(residents_.begin(), residents_.end(), [&](const auto& each) {
         return each->life.number == asked.number;
     });
@@ -74,6 +79,19 @@ Result<std::uint64_t> Preserve::carry_out(const Intervention& asked) {
     residents_.erase(found);
     forget_lineages();
     return asked.number;
+}
+
+Status Preserve::change_law(const Intervention& asked) {
+    Result<SettingsPtr> changed = with_law(laws_, asked, kinds_);
+    if (!changed) return changed.error();
+    use_laws(std::move(*changed));
+    return {};
+}
+
+void Preserve::use_laws(SettingsPtr laws) {
+    laws_ = std::move(laws);
+    for (const auto& each : residents_)
+        each->scene().set_environment(laws_->world.environment);
 }
 
 // Returns the first place with room, between the walls, on a spiral around the one asked for.
@@ -99,7 +117,7 @@ std::optional<Vec3> Preserve::room_near(const Vec3& asked, const Resident& resid
 
 // Adds plants around a place, which the light pays. Returns their number.
 Result<std::uint64_t> Preserve::serve(const Vec3& place) {
-    const Energy plant = energy_of(settings_->preserve.plant_energy);
+    const Energy plant = energy_of(laws_->preserve.plant_energy);
     std::uint64_t count = 0;
     for (; count < kPlantsOfAMeal && ambient_ >= plant; ++count) {
         const auto index = static_cast<double>(count);

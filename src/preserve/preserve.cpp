@@ -53,6 +53,7 @@ bool strays_little(const Resident& resident) {
 Preserve::Preserve(SettingsPtr settings, const EvolutionKinds& kinds,
                    std::vector<GenomePtr> founders)
     : settings_(std::move(settings)),
+      laws_(settings_),
       kinds_(kinds),
       founders_(std::move(founders)),
       area_{settings_->preserve.width, settings_->preserve.height},
@@ -80,9 +81,10 @@ Result<std::unique_ptr<Preserve>> Preserve::begin(SettingsPtr settings, const Ev
 Result<std::unique_ptr<Preserve>> Preserve::resume(SettingsPtr settings,
                                                    const EvolutionKinds& kinds,
                                                    std::vector<GenomePtr> founders,
-                                                   const PreserveState& state) {
+                                                   const PreserveState& state, SettingsPtr laws) {
     std::unique_ptr<Preserve> preserve(
         new Preserve(std::move(settings), kinds, std::move(founders)));
+    if (laws) preserve->laws_ = std::move(laws);
     if (Status restored = preserve->restore(state); !restored) return restored.error();
     preserve->snapshot_ = std::make_shared<const PreserveState>(state);
     return preserve;
@@ -131,7 +133,7 @@ Vec3 Preserve::draw_bright_place(RandomStream& draws) const {
 }
 
 void Preserve::add_plant(RandomStream& draws) {
-    const Energy plant = energy_of(settings_->preserve.plant_energy);
+    const Energy plant = energy_of(laws_->preserve.plant_energy);
     plants_.add(draw_bright_place(draws), plant);
     ambient_ -= plant;
 }
@@ -193,7 +195,7 @@ Result<std::unique_ptr<Resident>> Preserve::newcomer(std::size_t place, std::str
 }
 
 Energy Preserve::price_of(const Resident& resident) const {
-    return store_of(resident, settings_->preserve) + body_of(resident, settings_->preserve);
+    return store_of(resident, laws_->preserve) + body_of(resident, laws_->preserve);
 }
 
 bool Preserve::can_pay(const Resident& resident) const {
@@ -202,8 +204,8 @@ bool Preserve::can_pay(const Resident& resident) const {
 
 // Adds a newcomer, which the light pays.
 void Preserve::settle(std::unique_ptr<Resident> resident) {
-    resident->store = store_of(*resident, settings_->preserve);
-    resident->body = body_of(*resident, settings_->preserve);
+    resident->store = store_of(*resident, laws_->preserve);
+    resident->body = body_of(*resident, laws_->preserve);
     ambient_ -= resident->store + resident->body;
     join_lineage(*resident, nullptr);
     resident->last_birth = tick_;
@@ -216,6 +218,7 @@ void Preserve::settle(std::unique_ptr<Resident> resident) {
 
 void Preserve::take_in(std::unique_ptr<Resident> resident) {
     resident->scene().set_fixed_boxes(walls_.boxes());
+    if (laws_ != settings_) resident->scene().set_environment(laws_->world.environment);
     resident->settle();
     residents_.push_back(std::move(resident));
 }
@@ -395,12 +398,12 @@ void Preserve::sense() {
 void Preserve::bite() {
     bounds_.clear();
     for (const auto& each : residents_)
-        bounds_.push_back(grown(each->bounds(), bite_reach(*each, settings_->preserve)));
+        bounds_.push_back(grown(each->bounds(), bite_reach(*each, laws_->preserve)));
     for (const auto& [first, second] : meetings_.find(bounds_)) {
         Resident& a = *residents_[first];
         Resident& b = *residents_[second];
-        cambrian::bite(a, b, settings_->preserve, tick_, flesh_);
-        cambrian::bite(b, a, settings_->preserve, tick_, flesh_);
+        cambrian::bite(a, b, laws_->preserve, tick_, flesh_);
+        cambrian::bite(b, a, laws_->preserve, tick_, flesh_);
     }
 }
 
@@ -412,7 +415,7 @@ void Preserve::feed() {
 
 void Preserve::spend() {
     for (const auto& each : residents_)
-        ambient_ += cambrian::spend(*each, settings_->preserve, tick_);
+        ambient_ += cambrian::spend(*each, laws_->preserve, tick_);
 }
 
 // Removes those whose store is empty, or whose motion failed. Their energy becomes flesh.
@@ -457,7 +460,7 @@ void Preserve::forget_lineages() {
 }
 
 void Preserve::breed() {
-    const PreserveSettings& laws = settings_->preserve;
+    const PreserveSettings& laws = laws_->preserve;
     const auto grown = residents_.size();
     for (std::size_t i = 0; i < grown; ++i) {
         if (residents_.size() >= static_cast<std::size_t>(laws.max_population)) return;
@@ -470,10 +473,10 @@ void Preserve::breed() {
 
 // A child that costs more than its parent can spare is not born; the next attempt is another one.
 void Preserve::try_birth(Resident& parent) {
-    const PreserveSettings& laws = settings_->preserve;
+    const PreserveSettings& laws = laws_->preserve;
     parent.last_birth = tick_;
     RandomStream draws = stream(++attempts_, kBirth);
-    Life life = conceive(parent, residents_, *settings_, kinds_, attempts_, tick_, draws);
+    Life life = conceive(parent, residents_, *laws_, kinds_, attempts_, tick_, draws);
     life.number = next_number_;
     auto child = Resident::grow(std::move(life), kinds_.creature, *settings_, senses_);
     if (!child) return;
@@ -537,7 +540,7 @@ void Preserve::remember_parent() {
 }
 
 void Preserve::restock() {
-    const auto floor = static_cast<std::size_t>(settings_->preserve.restock);
+    const auto floor = static_cast<std::size_t>(laws_->preserve.restock);
     if (tick_ % kTicksPerRestock != 0) return;
     while (residents_.size() < floor) {
         Result<std::unique_ptr<Resident>> arriving = newcomer(restocked_, "restock");
@@ -551,7 +554,7 @@ void Preserve::restock() {
 
 // Light becomes plants, and flesh light.
 void Preserve::grow_plants() {
-    const PreserveSettings& laws = settings_->preserve;
+    const PreserveSettings& laws = laws_->preserve;
     const Energy plant = energy_of(laws.plant_energy);
     const double expected = joules(ambient_) / (laws.growth_time * laws.plant_energy) * kBrainTick;
     RandomStream draws = stream(tick_, kGrowth);
@@ -566,7 +569,7 @@ void Preserve::grow_plants() {
 
 void Preserve::feel_energy() {
     for (const auto& each : residents_) {
-        const Energy birth = store_of(*each, settings_->preserve);
+        const Energy birth = store_of(*each, laws_->preserve);
         each->feel(birth > 0 ? joules(each->store) / joules(birth) : 0.0);
     }
 }

@@ -37,11 +37,13 @@ public:
     static Result<std::unique_ptr<Preserve>> begin(SettingsPtr settings,
                                                    const EvolutionKinds& kinds,
                                                    std::vector<GenomePtr> founders);
-    // Goes on from a state. Fails if the state does not suit the settings.
+    // Goes on from a state, under the laws of that time (laws.h); null for those of the settings.
+    // Fails if the state does not suit the settings.
     static Result<std::unique_ptr<Preserve>> resume(SettingsPtr settings,
                                                     const EvolutionKinds& kinds,
                                                     std::vector<GenomePtr> founders,
-                                                    const PreserveState& state);
+                                                    const PreserveState& state,
+                                                    SettingsPtr laws = nullptr);
     Preserve(const Preserve&) = delete;
     Preserve& operator=(const Preserve&) = delete;
 
@@ -52,7 +54,10 @@ public:
     // the number of the creature, or of plants. Fails if it cannot be done; nothing changes then.
     Result<std::uint64_t> intervene(Intervention asked);
 
+    // The settings with which it began.
     const SettingsPtr& settings() const { return settings_; }
+    // The same with all changes of laws so far.
+    const SettingsPtr& laws() const { return laws_; }
     std::uint64_t ticks() const { return tick_; }
     const Residents& residents() const { return residents_; }
     const Pellets& plants() const { return plants_; }
@@ -80,6 +85,8 @@ private:
     Result<std::uint64_t> admit(const GenomePtr& genome, const Vec3& place);
     Result<std::uint64_t> build_wall(const WallLine& wall);
     Result<std::uint64_t> erase_wall(const Vec3& place);
+    Status change_law(const Intervention& asked);
+    void use_laws(SettingsPtr laws);
     Status make_way(const DrawnWalls& walls);
     void use_walls(std::vector<WallLine> lines);
     void rest();
@@ -126,7 +133,8 @@ private:
     void feel_energy();
     void forget_lineages();
 
-    SettingsPtr settings_;
+    SettingsPtr settings_;  // with which it began; residents refer to them
+    SettingsPtr laws_;      // the same with all changes so far
     const EvolutionKinds& kinds_;
     std::vector<GenomePtr> founders_;
     WalledArea area_;

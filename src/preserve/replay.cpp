@@ -18,6 +18,11 @@ std::size_t count_in_snapshot(std::span<const Intervention> all, std::uint64_t t
 
 }  // namespace
 
+std::span<const Intervention> interventions_up_to(std::span<const Intervention> all,
+                                                  std::uint64_t tick) {
+    return all.first(count_in_snapshot(all, tick));
+}
+
 std::vector<Intervention> interventions_in(std::span<const Intervention> all,
                                            const ReplaySpan& span) {
     const std::size_t first = count_in_snapshot(all, span.from);

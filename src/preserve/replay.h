@@ -20,6 +20,10 @@ struct ReplaySpan {
 std::vector<Intervention> interventions_in(std::span<const Intervention> all,
                                            const ReplaySpan& span);
 
+// Returns those that are in the snapshot of a tick.
+std::span<const Intervention> interventions_up_to(std::span<const Intervention> all,
+                                                  std::uint64_t tick);
+
 // Carries out those of the present tick and removes them from `left`. Fails if one of them cannot
 // be carried out, or has another result.
 Status repeat(Preserve& preserve, std::span<const Intervention>& left);

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import shutil
 import signal
 import sqlite3
 import subprocess
@@ -100,6 +101,35 @@ class Preserve(ProgramTest):
         self.assertEqual(len(series), 12)
         self.assert_refused(self.run_program("preserve", "-r", "a.cambrian", "--seconds", 120),
                             "a.cambrian: has reached 120 s; --seconds T asks for more")
+
+    def test_changed_laws_of_a_preserve_hold_after_a_stop_and_are_repeated(self):
+        self.run_well("preserve", "pond.toml", "-f", *SWIMMERS, "--seconds", 60, "-o", "a.cambrian")
+        for name in ("b.cambrian", "c.cambrian"):
+            shutil.copy(self.folder / "a.cambrian", self.folder / name)
+        laws = ["--law", "environment.viscosity-linear=0.6", "--law", "preserve.growth-time=40"]
+        uncut = self.rows("-r", "a.cambrian", *laws, "--seconds", 180)
+        self.assertNotEqual(uncut, self.rows("-r", "b.cambrian", "--seconds", 180))
+        pieces = [self.rows("-r", "c.cambrian", *more, "--seconds", end)
+                  for more, end in ((laws, 120), ([], 180))]
+        self.assertEqual(pieces[0] + pieces[1], uncut)
+        self.assertEqual(self.snapshots("c.cambrian"), self.snapshots("a.cambrian"))
+        for name in ("a.cambrian", "c.cambrian"):
+            self.assertIn("replay verified, 4 snapshots up to 180 s",
+                          self.run_well("verify", name).stdout)
+
+    def test_a_law_that_cannot_be_changed_gets_one_message(self):
+        self.run_well("preserve", "pond.toml", "-f", *SWIMMERS, "--seconds", 1, "-o", "a.cambrian")
+        for law, message in {
+                "preserve.growth-time=-1": "Growth time: -1 is not a number from 1 to 1000000 s",
+                "preserve.restock=2.5": "2.5 is not a whole number from 0 to 1000 creatures",
+                "preserve.width=20": 'there is no law "preserve.width" that can be changed',
+                "preserve.growth-time=fast": "expected the name of a law and a number",
+                "mutation.rate": "expected the name of a law and a number"}.items():
+            refused = self.run_program("preserve", "-r", "a.cambrian", "--seconds", 60, "--law", law)
+            self.assert_refused(refused, message)
+            self.assertIn(f"--law {law}: ", refused.stderr)
+        self.assert_refused(self.run_program("preserve", "pond.toml", "--law", "mutation.rate=2"),
+                            "--law requires --resume")
 
     def test_the_museum_of_a_preserve_is_exported_as_creature_files(self):
         self.write("rich.toml", RICH)

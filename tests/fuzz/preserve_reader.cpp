@@ -12,6 +12,7 @@
 #include "fuzz/table_edits.h"
 #include "persist/preserve/preserve_file.h"
 #include "persist/preserve/preserve_tables.h"
+#include "preserve/laws.h"
 #include "preserve/preserve.h"
 #include "support/kinds.h"
 #include "support/temporary_directory.h"
@@ -42,15 +43,16 @@ struct Workplace {
 };
 
 // Goes on from a state that was read, unless that is refused.
-void go_on(const PreserveOrigin& origin, const PreserveState& state, ThreadPool& pool) {
+void go_on(const PreserveOrigin& origin, const PreserveState& state, const SettingsPtr& laws,
+           ThreadPool& pool) {
     if (state.residents.size() > kMostResidents) return;
-    auto preserve = Preserve::resume(origin.settings, kinds(), origin.founders, state);
+    auto preserve = Preserve::resume(origin.settings, kinds(), origin.founders, state, laws);
     if (!preserve) {
         promise(!preserve.error().message.empty(), "a refusal has a reason");
         return;
     }
     const PreserveState begun = (*preserve)->save();
-    const auto again = Preserve::resume(origin.settings, kinds(), origin.founders, begun);
+    const auto again = Preserve::resume(origin.settings, kinds(), origin.founders, begun, laws);
     promise(again && words_of((*again)->save()) == words_of(begun),
             "a state is restored as it was");
     for (int i = 0; i < kTicks; ++i)
@@ -81,7 +83,10 @@ void read_tables(Workplace& at) {
         const SavedPreserve saved = read_preserve(at.database, kinds());
         look_at(saved);
         const auto state = read_snapshot(at.database, saved.snapshots.back(), kinds());
-        if (state) go_on(saved.origin, *state, at.pool);
+        const auto laws = laws_at(saved.origin.settings, saved.interventions,
+                                  saved.snapshots.back().tick, kinds());
+        promise(laws || !laws.error().message.empty(), "a refusal has a reason");
+        if (state && laws) go_on(saved.origin, *state, *laws, at.pool);
     } catch (const DatabaseError& error) {
         promise(*error.what() != '\0', "a refusal has a reason");
     }
@@ -98,7 +103,7 @@ void read_file(Workplace& at) {
     promise(saved.has_value() || !opened.has_value(), "what is opened can be looked at");
     if (!opened) return;
     look_at(*saved);
-    go_on(opened->origin, opened->state, at.pool);
+    go_on(opened->origin, opened->state, opened->laws, at.pool);
     promise(load_preserve(at.path, kinds()).has_value(), "an opened file can be read again");
 }
 
@@ -140,7 +145,7 @@ void read_words(Workplace& at, ByteSource bytes) {
         if (number == 0) return Error{"creature 0 is missing"};
         return Origin{at.saved.origin.founders.front(), "founder"};
     });
-    if (state) go_on(at.saved.origin, *state, at.pool);
+    if (state) go_on(at.saved.origin, *state, at.saved.origin.settings, at.pool);
 }
 
 }  // namespace

@@ -61,6 +61,7 @@ void write_preserve(const std::filesystem::path& path) {
         (*preserve)->tick(pool);
     Chronicle chronicle = (*preserve)->take_chronicle();
     chronicle.interventions.push_back({1, "restock", 1});
+    chronicle.interventions.push_back({.tick = 1, .what = "law mutation.rate", .x = 2.0});
     chronicle.museum.push_back({1, 1, museum_reason::kLineage, kMembersForMuseum});
     promise((*file)->write(chronicle, **preserve).has_value(), "a snapshot can be kept");
 }

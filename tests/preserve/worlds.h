@@ -4,6 +4,7 @@
 
 #include "evolution/fields/setting_field.h"
 #include "persist/preserve/preserve_file.h"
+#include "preserve/laws.h"
 #include "preserve/preserve.h"
 #include "preserve/replay.h"
 #include "simulator/simulator_version.h"
@@ -93,7 +94,9 @@ inline std::vector<Intervention> repeated_from(const std::filesystem::path& path
     const SnapshotEntry& to = saved->snapshots[index + 1];
     const auto state = load_snapshot(path, from, kinds());
     REQUIRE(state);
-    const auto replayed = Preserve::resume(world.settings, kinds(), world.founders, *state);
+    const auto laws = laws_at(world.settings, saved->interventions, from.tick, kinds());
+    REQUIRE(laws);
+    const auto replayed = Preserve::resume(world.settings, kinds(), world.founders, *state, *laws);
     REQUIRE(replayed);
     const auto all = interventions_in(saved->interventions, {from.tick, to.tick});
     std::span<const Intervention> left(all);

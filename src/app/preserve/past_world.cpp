@@ -1,5 +1,6 @@
 #include "app/preserve/past_world.h"
 
+#include "preserve/laws.h"
 #include "preserve/replay.h"
 
 #include <utility>
@@ -11,7 +12,11 @@ Result<PastWorld> PastWorld::at(const std::string& file, const SavedPreserve& sa
                                 const EvolutionKinds& kinds) {
     const Result<PreserveState> state = load_snapshot(file, from, kinds);
     if (!state) return state.error();
-    auto preserve = Preserve::resume(saved.origin.settings, kinds, saved.origin.founders, *state);
+    const Result<SettingsPtr> laws =
+        laws_at(saved.origin.settings, saved.interventions, from.tick, kinds);
+    if (!laws) return laws.error();
+    auto preserve =
+        Preserve::resume(saved.origin.settings, kinds, saved.origin.founders, *state, *laws);
     if (!preserve) return preserve.error();
     return PastWorld(std::move(*preserve),
                      interventions_in(saved.interventions, {from.tick, last}));

@@ -9,6 +9,7 @@
 #include "core/stopwatch.h"
 #include "persist/preserve/preserve_file.h"
 #include "persist/settings/settings_file.h"
+#include "preserve/laws.h"
 #include "preserve/life/founders.h"
 #include "simulator/simulator_version.h"
 
@@ -84,11 +85,21 @@ Result<World> resumed_world(const PreserveRun& run, const EvolutionKinds& kinds)
                         "motion than there",
                         run.resume, opened->origin.simulator, kSimulatorVersion));
     }
-    auto preserve =
-        Preserve::resume(opened->origin.settings, kinds, opened->origin.founders, opened->state);
+    auto preserve = Preserve::resume(opened->origin.settings, kinds, opened->origin.founders,
+                                     opened->state, opened->laws);
     if (!preserve)
         return Error{fmt::format("cannot open {}: {}", run.resume, preserve.error().message)};
     return World{std::move(*preserve), std::move(opened->file), run.resume};
+}
+
+Status change_laws(Preserve& preserve, const std::vector<std::string>& laws) {
+    for (const std::string& law : laws) {
+        const Result<Intervention> change = law_change_of(law);
+        const Result<std::uint64_t> changed =
+            change ? preserve.intervene(*change) : Result<std::uint64_t>(change.error());
+        if (!changed) return Error{fmt::format("--law {}: {}", law, changed.error().message)};
+    }
+    return {};
 }
 
 // Tells how the preserve is doing: a line on the terminal all the time, and lines of output.
@@ -209,6 +220,8 @@ ExitStatus run_preserve(const PreserveRun& run, const EvolutionKinds& kinds) {
         return fail({fmt::format("{}: has reached {} s; --seconds T asks for more", run.resume,
                                  world->preserve->ticks() / 60)});
     }
+    if (Status changed = change_laws(*world->preserve, run.laws); !changed)
+        return fail(changed.error());
     const Interruption interruption;
     if (Status computed = compute(*world, run, interruption); !computed)
         return fail(computed.error(), ExitStatus::kFailed);

@@ -21,6 +21,7 @@ struct PreserveRun {
     std::optional<int> threads;
     std::string out;
     std::string resume;
+    std::vector<std::string> laws;  // changes, as "preserve.growth-time=60"
     bool json = false;
 };
 

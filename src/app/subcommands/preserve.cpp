@@ -31,9 +31,16 @@ public:
                    1, 1024);
         auto* out = app.add_option("-o,--out", run_.out, "Preserve file to keep (*.cambrian)")
                         ->type_name(option_type::kExperiment);
-        app.add_option("-r,--resume", run_.resume, "Go on with a preserve file, to the time given")
-            ->type_name(option_type::kExperiment)
-            ->excludes(settings, seed, founders, out);
+        auto* resume = app.add_option("-r,--resume", run_.resume,
+                                      "Go on with a preserve file, to the time given")
+                           ->type_name(option_type::kExperiment)
+                           ->excludes(settings, seed, founders, out);
+        app.add_option("--law", run_.laws,
+                       "Law of the resumed preserve that changes now, as preserve.growth-time=60; "
+                       "may be given several times")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false)
+            ->needs(resume);
         app.add_flag("--json", run_.json,
                      "Report as JSON, one object a line for each 10 s of its time");
     }

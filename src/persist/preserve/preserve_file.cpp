@@ -9,6 +9,7 @@
 #include "persist/records/experiment_schema.h"
 #include "persist/sqlite/column_text.h"
 #include "persist/sqlite/read_only_database.h"
+#include "preserve/laws.h"
 
 #include <fmt/core.h>
 
@@ -237,8 +238,12 @@ Result<PreserveFile::Opened> PreserveFile::open(const std::filesystem::path& pat
         Result<PreserveState> state =
             last_sound_snapshot(database, saved, path, kinds, opened.warnings);
         if (!state) return state.error();
+        Result<SettingsPtr> laws =
+            laws_at(saved.origin.settings, saved.interventions, state->tick, kinds);
+        if (!laws) return preserve_failure(kOpeningPreserve, path, laws.error().message);
         database.make_durable();
         auto parts = std::make_unique<Parts>(path, std::move(*lock), std::move(database), kinds);
+        opened.laws = *std::move(laws);
         opened.origin = std::move(saved.origin);
         opened.state = *std::move(state);
         Transaction transaction(parts->database);

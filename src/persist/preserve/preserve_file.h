@@ -93,6 +93,7 @@ struct PreserveFile::Opened {
     std::unique_ptr<PreserveFile> file;
     PreserveOrigin origin;
     PreserveState state;
+    SettingsPtr laws;  // in force at that state
     std::vector<SeriesRow> series;
     std::vector<MuseumPiece> museum;
     std::vector<std::string> warnings;  // about damaged snapshots

@@ -11,8 +11,9 @@
 
 namespace cambrian {
 
-// Version 1 has no places of interventions, version 2 no walls, and version 3 no museum.
-inline constexpr std::int64_t kPreserveVersion = 4;
+// Version 1 has no places of interventions, version 2 no walls, version 3 no museum, and version 4
+// no changes of laws.
+inline constexpr std::int64_t kPreserveVersion = 5;
 
 inline constexpr std::array kSeriesColumns = {
     Column<SeriesRow>{"tick", &SeriesRow::tick},

@@ -104,7 +104,7 @@ void upgrade_preserve_tables(Database& database) {
             "ALTER TABLE interventions ADD COLUMN to_x REAL NOT NULL DEFAULT 0;"
             "ALTER TABLE interventions ADD COLUMN to_y REAL NOT NULL DEFAULT 0;");
     }
-    database.execute(kMuseumTable);
+    if (version <= 3) database.execute(kMuseumTable);
     database.execute(fmt::format("PRAGMA user_version = {}", kPreserveVersion));
     transaction.commit();
 }

@@ -86,8 +86,8 @@ Result<OpenedWorld> begin_world(const WorldPlan& plan, const EvolutionKinds& kin
 Result<OpenedWorld> open_world(const std::filesystem::path& path, const EvolutionKinds& kinds) {
     Result<PreserveFile::Opened> opened = PreserveFile::open(path, kinds);
     if (!opened) return opened.error();
-    auto preserve =
-        Preserve::resume(opened->origin.settings, kinds, opened->origin.founders, opened->state);
+    auto preserve = Preserve::resume(opened->origin.settings, kinds, opened->origin.founders,
+                                     opened->state, opened->laws);
     if (!preserve)
         return Error{fmt::format("cannot open {}: {}", path.string(), preserve.error().message)};
     OpenedWorld world{
