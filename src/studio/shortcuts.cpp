@@ -351,6 +351,24 @@ void turn_plot(const FrameContext&, Requests& out) {
     out.ask(TurnPlot{Steps});
 }
 
+void open_left_panels(const FrameContext& frame, Requests& out) {
+    if (frame.view.panels.left) return;
+    ViewState view = frame.view;
+    view.panels.left = true;
+    out.ask(ChangeView{view});
+}
+
+void show_next_list(const FrameContext& frame, Requests& out) {
+    open_left_panels(frame, out);
+    const auto next = (static_cast<std::size_t>(frame.preserve->list) + 1) % kWorldListNames.size();
+    out.ask(ShowList{static_cast<WorldList>(next)});
+}
+
+void type_laws(const FrameContext& frame, Requests& out) {
+    open_left_panels(frame, out);
+    out.ask(TypeLaws{});
+}
+
 constexpr std::array kPreserveShortcuts = {
     Shortcut{{GLFW_KEY_SPACE}, "Space", "Play or pause the world", simply<TogglePlay>},
     Shortcut{{GLFW_KEY_PERIOD}, ".", "One tick of the world, then pause", step_world},
@@ -368,6 +386,11 @@ constexpr std::array kPreserveShortcuts = {
     Shortcut{{GLFW_KEY_C}, "C", "Pick its eldest living child", pick_child},
     Shortcut{{GLFW_KEY_T}, "T", "Show the next plot of the history", turn_plot<1>},
     Shortcut{{GLFW_KEY_T, false, true}, "Shift+T", "Show the plot before", turn_plot<-1>},
+    Shortcut{{GLFW_KEY_N}, "N", "Show the next list on the left: lineages, laws", show_next_list},
+    Shortcut{{GLFW_KEY_J},
+             "J",
+             "Type the value of the first law; Tab goes on to the next, Enter takes it",
+             type_laws},
     Shortcut{{GLFW_KEY_F}, "F", "Follow the picked creature with the camera", simply<FollowPicked>},
     Shortcut{{GLFW_KEY_P}, "P", "Pin the picked creature, or unpin it", simply<PinPicked>},
     Shortcut{{GLFW_KEY_S}, "S", "Save the picked creature", simply<SaveResident>},

@@ -235,6 +235,8 @@ class StudioLook(StudioTest):
         self.keys("Tab", "p", "space")
         self.wait_for("world", after=after, playing=False)
         self.look("preserve-picked")
+        self.keys("n")
+        self.look("preserve-laws")
         self.tap("go back")
         self.look("preserve-snapshots", pointed=True)
         self.tap_nowhere()

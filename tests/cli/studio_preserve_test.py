@@ -1,6 +1,7 @@
 """The studio's preserve in a real X window: its first minute, with the mouse and with keys alone."""
 
 import pathlib
+import sqlite3
 import time
 import unittest
 
@@ -98,6 +99,39 @@ class StudioPreserve(StudioTest):
         self.wait_for("picked", after=after)
         self.quit()
         self.run_well("verify", self.folder / "state" / "preserve.cambrian")
+
+    def test_laws_are_typed_dragged_and_kept(self):
+        display = self.open_display()
+        after = self.begin(display)
+        self.press("space")
+        _, after = self.state(after, playing=False)
+        self.press("n")
+        _, after = self.wait_for("world list", after=after, name="Laws")
+        self.wait_for("place", name="preserve.growth-time")
+        self.assert_painted(display.picture("preserve-laws-1280x800.png"))
+        self.press("j")
+        time.sleep(0.5)
+        self.type_over("30")
+        self.press("Tab")
+        _, after = self.wait_for("intervention", after=after, what="law preserve.growth-time",
+                                 done=True)
+        time.sleep(0.5)
+        self.type_over("4")
+        self.press("Return")
+        _, after = self.wait_for("intervention", after=after, what="law preserve.plant-energy",
+                                 done=True)
+        self.drag("preserve.body-upkeep", 0.2, 0.7)
+        _, after = self.wait_for("intervention", after=after, what="law preserve.body-upkeep",
+                                 done=True)
+        self.quit()
+        kept = self.folder / "state" / "preserve.cambrian"
+        self.run_well("verify", kept)
+        with sqlite3.connect(kept) as file:
+            laws = dict(file.execute("SELECT what, x FROM interventions WHERE what LIKE 'law %'"))
+        self.assertEqual((laws["law preserve.growth-time"], laws["law preserve.plant-energy"]),
+                         (30, 4))
+        self.run_well("preserve", "--resume", kept, "--seconds", 60)
+        self.run_well("verify", kept)
 
     def test_a_preserve_goes_back_to_a_snapshot_and_is_kept_elsewhere(self):
         display = self.open_display()

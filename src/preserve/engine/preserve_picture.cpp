@@ -18,6 +18,7 @@ const ResidentPicture* PreservePicture::find(std::uint64_t number) const {
 void PreserveCamera::take(const Preserve& preserve, PreservePicture& picture) {
     const PreserveSettings& laws = preserve.settings()->preserve;
     picture.tick = preserve.ticks();
+    picture.laws = preserve.laws();
     picture.area = {laws.width, laws.height};
     picture.walls = preserve.walls().rectangles();
     picture.patches = preserve.patches();

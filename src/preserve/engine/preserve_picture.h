@@ -3,6 +3,7 @@
 // What a user sees of a preserve at one moment. Immutable; shared between threads.
 
 #include "creature/phenotype.h"
+#include "evolution/settings/experiment_settings.h"
 #include "evolution/settings/light_patches.h"
 #include "preserve/life/life.h"
 #include "preserve/museum.h"
@@ -46,6 +47,7 @@ struct PreservePicture {
     double factor = 0.0;  // reached
     bool kept = false;    // whether a log keeps it
     std::string failure;  // why it stopped, or empty
+    SettingsPtr laws;     // in force
     WalledArea area;
     SeriesRow now;
     std::vector<ResidentPicture> residents;  // in ascending order of numbers

@@ -2,6 +2,7 @@
 
 // The requests that panels may make of a preserve. The data they see is in preserve_view.h.
 
+#include "evolution/fields/setting_field.h"
 #include "preserve/engine/preserve_command.h"
 #include "studio/preserve/opened_world.h"
 #include "studio/preserve/preserve_view.h"
@@ -55,6 +56,16 @@ struct FitWorld {};
 struct TurnPlot {
     int steps = 1;
 };
+struct ShowList {
+    WorldList list = WorldList::kLineages;
+};
+// Lets the user type the value of the first law, from which Tab leads to the others.
+struct TypeLaws {};
+// Changes a law of the world from now on.
+struct SetLaw {
+    SettingField law;
+    double value = 0.0;
+};
 // Goes on from a snapshot, in a file of its own.
 struct BranchFrom {
     std::uint64_t tick = 0;
@@ -64,7 +75,8 @@ using PreserveRequest =
     std::variant<TogglePreserveCard, BeginPreserve, ClosePreserve, TogglePlay, AskPreserve,
                  PickResident, PickNext, FollowPicked, PinPicked, ShowPicked, ShowWorld,
                  RemovePicked, AimAt, FeedThere, MovePickedThere, DrawWall, ToggleWalls,
-                 EraseWallThere, AddShown, FitWorld, TurnPlot, BranchFrom>;
+                 EraseWallThere, AddShown, FitWorld, TurnPlot, ShowList, TypeLaws, SetLaw,
+                 BranchFrom>;
 
 // The card with which a preserve is begun.
 struct PreserveCardView {

@@ -1,6 +1,7 @@
 #include "studio/preserve/preserve_controller.h"
 
 #include "picking/handover.h"
+#include "preserve/laws.h"
 
 #include <fmt/core.h>
 
@@ -143,6 +144,18 @@ struct PreserveController::Handler : WorldTools {
         self.services_.feedback.log().write("world plot",
                                             {{"index", static_cast<double>(self.tools_.plot)}});
     }
+    void operator()(const ShowList& request) const {
+        self.tools_.list = request.list;
+        self.services_.feedback.log().write(
+            "world list", {{"name", kWorldListNames[static_cast<std::size_t>(request.list)]}});
+    }
+    void operator()(const TypeLaws&) const {
+        self.tools_.list = WorldList::kLaws;
+        ++self.tools_.laws_asked;
+    }
+    void operator()(const SetLaw& request) const {
+        self.send(Intervene{law_change(request.law, request.value)});
+    }
     void operator()(const BranchFrom& request) const {
         if (!self.open_ || self.open_->file().empty()) return;
         self.branch(request.tick, branch_of(self.open_->file(), request.tick));
@@ -171,12 +184,15 @@ void PreserveController::update() {
                                 .file = open_ ? open_->file() : no_file,
                                 .picked = picked,
                                 .pins = pins_,
+                                .founding = open_ ? open_->settings() : nullptr,
                                 .follow = tools_.follow,
                                 .single = tools_.single,
                                 .opening = open_ == nullptr,
                                 .fits_asked = tools_.fits_asked,
                                 .wall = tools_.wall,
-                                .plot = tools_.plot});
+                                .plot = tools_.plot,
+                                .list = tools_.list,
+                                .laws_asked = tools_.laws_asked});
 }
 
 void PreserveController::carry_out(const PreserveRequest& request) {
@@ -279,7 +295,7 @@ void PreserveController::add(const GenomePtr& genome) {
 bool PreserveController::show_picked() {
     if (!open_ || open_->picked() == nullptr) return false;
     const ResidentPicture& picked = *open_->picked();
-    Exhibit exhibit{.creature = unjudged(picked.life.genome, open_->settings(), picked.life.method),
+    Exhibit exhibit{.creature = unjudged(picked.life.genome, picture_->laws, picked.life.method),
                     .source = ExhibitSource::kPreserve,
                     .title = fmt::format("Creature {}", picked.life.number)};
     subjects_.viewer.show(std::move(exhibit));

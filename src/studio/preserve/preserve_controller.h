@@ -63,6 +63,8 @@ private:
         Vec2 aim = Vec2::Zero();  // m
         WallTool wall;
         std::size_t plot = 0;
+        WorldList list = WorldList::kLineages;
+        unsigned laws_asked = 0;
         bool follow = false;
         bool single = false;
         bool card_open = false;

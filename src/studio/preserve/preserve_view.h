@@ -18,6 +18,10 @@ inline constexpr std::array kPreservePaces = {0.1, 1.0, 4.0, 0.0};
 
 inline constexpr std::size_t kWorldPlotCount = 5;  // of the series
 
+// What the left panel lists.
+enum class WorldList : std::uint8_t { kLineages, kLaws };
+inline constexpr std::array kWorldListNames = {"Lineages", "Laws"};
+
 // A wall that the user draws.
 struct WallTool {
     bool on = false;
@@ -31,12 +35,15 @@ struct PreserveView {
     // was last seen.
     const ResidentPicture* picked = nullptr;
     const std::set<std::uint64_t>& pins;
-    bool follow = false;      // the camera follows the picked creature
-    bool single = false;      // the viewer shows one creature instead of the world
-    bool opening = false;     // another world is being read
-    unsigned fits_asked = 0;  // number of FitWorld requests so far
+    SettingsPtr founding = nullptr;  // with which it began; null while another world is being read
+    bool follow = false;             // the camera follows the picked creature
+    bool single = false;             // the viewer shows one creature instead of the world
+    bool opening = false;            // another world is being read
+    unsigned fits_asked = 0;         // number of FitWorld requests so far
     WallTool wall = {};
     std::size_t plot = 0;  // index of the one shown
+    WorldList list = WorldList::kLineages;
+    unsigned laws_asked = 0;  // number of TypeLaws requests so far
 
     bool picked_is(std::uint64_t number) const {
         return picked != nullptr && picked->life.number == number;

@@ -84,7 +84,6 @@ bool draw_lineage(const LineageCount& lineage, std::size_t all) {
 }
 
 void draw_lineages(const PreservePicture& picture, Requests& out) {
-    section("Lineages");
     if (picture.residents.empty()) muted_text("Nobody is alive.");
     const std::vector<LineageCount> lineages = lineages_in(picture);
     for (std::size_t i = 0; i < std::min(lineages.size(), kMostLineages); ++i) {
@@ -137,8 +136,18 @@ void PreservePanel::draw(const FrameContext& frame, Requests& out) {
     draw_additions(frame, out);
     draw_walls(*frame.preserve, out);
     draw_file(*frame.preserve, out);
+    ImGui::Dummy({0, px(4)});
+    const int pressed = segmented(
+        "world lists", {kWorldListNames.begin(), kWorldListNames.end()},
+        static_cast<int>(frame.preserve->list),
+        {"Who is related to whom (N)", "What can be changed while the world goes on (N, J)"});
+    if (pressed >= 0) out.ask(ShowList{static_cast<WorldList>(pressed)});
     ImGui::BeginChild("world list", {0, 0}, false, ImGuiWindowFlags_NoBackground);
-    draw_lineages(frame.preserve->picture, out);
+    if (frame.preserve->list == WorldList::kLaws) {
+        laws_.draw(frame, out);
+    } else {
+        draw_lineages(frame.preserve->picture, out);
+    }
     ImGui::EndChild();
 }
 
