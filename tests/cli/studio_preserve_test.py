@@ -133,6 +133,29 @@ class StudioPreserve(StudioTest):
         self.run_well("preserve", "--resume", kept, "--seconds", 60)
         self.run_well("verify", kept)
 
+    def test_pins_are_inherited_and_kept(self):
+        display = self.open_display()
+        after = self.begin(display)
+        self.press("space")
+        _, after = self.state(after, playing=False)
+        for pinned in (1, 2):
+            self.press("Tab")
+            _, after = self.wait_for("picked", after=after, number=pinned)
+            self.press("p")
+            _, after = self.wait_for("pins", after=after, creatures=pinned, inherited=False)
+        display.tool("key", "shift+p")
+        _, after = self.wait_for("pins", after=after, creatures=2, inherited=True)
+        self.click("Descendants are pinned")
+        self.wait_for("pins", after=after, creatures=2, inherited=False)
+        self.quit()
+        self.start(display, self.folder / "state" / "preserve.cambrian")
+        _, after = self.wait_for("preserve", on=True)
+        self.press("Tab")
+        _, after = self.wait_for("picked", after=after, number=1)
+        self.press("p")
+        self.wait_for("pins", after=after, creatures=1)
+        self.quit()
+
     def test_a_preserve_goes_back_to_a_snapshot_and_is_kept_elsewhere(self):
         display = self.open_display()
         after = self.begin(display)

@@ -105,7 +105,7 @@ std::uint64_t picked_by(const KeyPress& press, const PreservePicture& picture,
                         std::uint64_t picked) {
     const test::StudioFixture studio;
     const std::filesystem::path file = "pond.cambrian";
-    const std::set<std::uint64_t> pins;
+    const Pins pins;
     const PreserveView view{
         .picture = picture, .file = file, .picked = picture.find(picked), .pins = pins};
     FrameContext frame = studio.frame();
@@ -144,7 +144,7 @@ TEST_CASE("going back goes through all snapshots before the present tick",
     picture.snapshots =
         std::make_shared<const std::vector<std::uint64_t>>(std::vector<std::uint64_t>{0, 60, 90});
     const std::filesystem::path file = "pond.cambrian";
-    const std::set<std::uint64_t> pins;
+    const Pins pins;
     const PreserveView view{.picture = picture, .file = file, .pins = pins};
     for (const auto& [tick, back] : {std::pair{100, 90}, {90, 60}, {60, 0}, {0, 0}}) {
         picture.tick = static_cast<std::uint64_t>(tick);

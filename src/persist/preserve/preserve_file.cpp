@@ -251,6 +251,9 @@ Result<PreserveFile::Opened> PreserveFile::open(const std::filesystem::path& pat
         transaction.commit();
         opened.series = read_series(parts->database);
         opened.museum = read_museum(parts->database, kinds);
+        const std::optional<Pins> pins = read_pins(parts->database);
+        if (!pins) opened.warnings.emplace_back("its pins are damaged, and forgotten");
+        opened.pins = pins.value_or(Pins());
         opened.file.reset(new PreserveFile(std::move(parts)));
         return opened;
     } catch (const DatabaseError& error) {
@@ -258,19 +261,30 @@ Result<PreserveFile::Opened> PreserveFile::open(const std::filesystem::path& pat
     }
 }
 
-Status PreserveFile::write(const Chronicle& chronicle, const Preserve& preserve) {
+// Carries out a change of the tables, or nothing of it.
+Status PreserveFile::change(const std::function<void()>& rows) {
     if (!parts_->lock.in_place())
         return preserve_failure(kKeepingPreserve, parts_->path,
                                 "it was removed or replaced meanwhile");
     try {
         Transaction transaction(parts_->database);
-        parts_->writer.write(chronicle, preserve);
+        rows();
         transaction.commit();
-        snapshots_ = read_snapshot_ticks(parts_->database);
     } catch (const DatabaseError& error) {
         return preserve_failure(kKeepingPreserve, parts_->path, error.what());
     }
     return {};
+}
+
+Status PreserveFile::write(const Chronicle& chronicle, const Preserve& preserve) {
+    return change([&] {
+        parts_->writer.write(chronicle, preserve);
+        snapshots_ = read_snapshot_ticks(parts_->database);
+    });
+}
+
+Status PreserveFile::keep_pins(const Pins& pins) {
+    return change([&] { parts_->writer.put_pins(pins); });
 }
 
 }  // namespace cambrian

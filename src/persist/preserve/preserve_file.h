@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -79,11 +80,13 @@ public:
     // Writes what happened and, if the preserve is at a snapshot, that snapshot. It is on the disk
     // when this returns.
     Status write(const Chronicle& chronicle, const Preserve& preserve) override;
+    Status keep_pins(const Pins& pins) override;
     std::vector<std::uint64_t> snapshots() const override { return snapshots_; }
 
 private:
     struct Parts;
     explicit PreserveFile(std::unique_ptr<Parts> parts);
+    Status change(const std::function<void()>& rows);
 
     std::unique_ptr<Parts> parts_;
     std::vector<std::uint64_t> snapshots_;  // ticks
@@ -96,7 +99,8 @@ struct PreserveFile::Opened {
     SettingsPtr laws;  // in force at that state
     std::vector<SeriesRow> series;
     std::vector<MuseumPiece> museum;
-    std::vector<std::string> warnings;  // about damaged snapshots
+    Pins pins;
+    std::vector<std::string> warnings;  // about what is damaged
 };
 
 }  // namespace cambrian

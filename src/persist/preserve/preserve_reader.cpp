@@ -83,6 +83,12 @@ std::vector<Intervention> read_interventions(const Database& database,
 
 }  // namespace
 
+std::optional<Pins> read_pins(const Database& database) {
+    Statement row = database.prepare("SELECT value FROM facts WHERE name = ?");
+    row.bind(kPinsFact);
+    return row.step() ? pins_of(row.text(0)) : Pins();
+}
+
 std::vector<std::uint64_t> read_snapshot_ticks(const Database& database) {
     std::vector<std::uint64_t> ticks;
     Statement row = database.prepare("SELECT tick FROM snapshots ORDER BY tick LIMIT ?");

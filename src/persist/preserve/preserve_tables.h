@@ -8,6 +8,7 @@
 #include "persist/sqlite/database.h"
 
 #include <array>
+#include <optional>
 
 namespace cambrian {
 
@@ -91,6 +92,7 @@ public:
 
     void begin(const PreserveOrigin& origin);
     void write(const Chronicle& chronicle, const Preserve& preserve);
+    void put_pins(const Pins& pins);
     // Goes back to a snapshot.
     void remove_after(const PreserveState& state);
 
@@ -112,6 +114,9 @@ private:
 std::vector<std::uint64_t> read_snapshot_ticks(const Database& database);
 std::vector<SeriesRow> read_series(const Database& database);
 std::vector<MuseumPiece> read_museum(const Database& database, const EvolutionKinds& kinds);
+inline constexpr const char* kPinsFact = "pins";
+// Returns no pins if it has none, and nothing if they cannot be read.
+std::optional<Pins> read_pins(const Database& database);
 SavedPreserve read_preserve(const Database& database, const EvolutionKinds& kinds);
 Result<PreserveState> read_snapshot(const Database& database, const SnapshotEntry& entry,
                                     const EvolutionKinds& kinds);

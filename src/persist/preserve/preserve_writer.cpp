@@ -189,6 +189,10 @@ void PreserveWriter::write(const Chronicle& chronicle, const Preserve& preserve)
     thin_snapshots(preserve.ticks());
 }
 
+void PreserveWriter::put_pins(const Pins& pins) {
+    database_.prepare("INSERT OR REPLACE INTO facts VALUES (?, ?)").run(kPinsFact, pins_text(pins));
+}
+
 // Of the interventions at the snapshot's own tick, those after the last rest are not in it.
 void PreserveWriter::remove_after(const PreserveState& state) {
     database_

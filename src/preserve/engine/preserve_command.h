@@ -1,6 +1,7 @@
 #pragma once
 
 #include "preserve/chronicle.h"
+#include "preserve/pins.h"
 
 #include <variant>
 
@@ -21,7 +22,12 @@ struct Intervene {
 // Takes a snapshot and writes everything to the log.
 struct KeepPreserve {};
 
+// Lets the log keep these pins, from when it is written next.
+struct KeepPins {
+    Pins pins;
+};
+
 using PreserveCommand =
-    std::variant<PlayPreserve, StepPreserve, PacePreserve, Intervene, KeepPreserve>;
+    std::variant<PlayPreserve, StepPreserve, PacePreserve, Intervene, KeepPreserve, KeepPins>;
 
 }  // namespace cambrian

@@ -99,6 +99,10 @@ void PreserveEngine::write() {
     if (const Status written = start_.log->write(unwritten_, *start_.preserve); !written)
         return stop_with(written.error().message);
     unwritten_ = {};
+    if (const Status kept = unwritten_pins_ ? start_.log->keep_pins(*unwritten_pins_) : Status();
+        !kept)
+        return stop_with(kept.error().message);
+    unwritten_pins_.reset();
     shown_.snapshots = std::make_shared<const std::vector<std::uint64_t>>(start_.log->snapshots());
 }
 
@@ -152,6 +156,10 @@ void PreserveEngine::apply(const Intervene& command) {
 void PreserveEngine::apply(KeepPreserve) {
     keep();
     tell({.what = "keep", .problem = shown_.failure});
+}
+
+void PreserveEngine::apply(KeepPins command) {
+    unwritten_pins_ = std::move(command.pins);
 }
 
 void PreserveEngine::publish() {

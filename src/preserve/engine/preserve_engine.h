@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -58,6 +59,7 @@ private:
     void apply(PacePreserve command);
     void apply(const Intervene& command);
     void apply(KeepPreserve command);
+    void apply(KeepPins command);
     void publish();
 
     WorkerInbox<PreserveCommand, 256> inbox_;
@@ -68,6 +70,7 @@ private:
     std::size_t workers_;
     Pacing pacing_;
     Chronicle unwritten_;
+    std::optional<Pins> unwritten_pins_;  // if they changed
     PreserveCamera camera_;
     PreservePicture shown_;  // all but what publish() takes from the preserve
     Stopwatch published_;

@@ -4,6 +4,7 @@
 
 #include "core/result.h"
 #include "preserve/chronicle.h"
+#include "preserve/pins.h"
 
 #include <cstdint>
 #include <vector>
@@ -21,6 +22,8 @@ public:
 
     // Writes what happened since the last call and, if the preserve is at a snapshot, the snapshot.
     virtual Status write(const Chronicle& chronicle, const Preserve& preserve) = 0;
+    // Replaces the pins that it has.
+    virtual Status keep_pins(const Pins& pins) = 0;
     // Returns the ticks of the snapshots it has, in ascending order.
     virtual std::vector<std::uint64_t> snapshots() const = 0;
 };

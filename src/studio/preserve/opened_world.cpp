@@ -93,7 +93,8 @@ Result<OpenedWorld> open_world(const std::filesystem::path& path, const Evolutio
     OpenedWorld world{
         .start = {std::move(*preserve), std::move(opened->file), std::move(opened->series)},
         .file = path,
-        .warnings = std::move(opened->warnings)};
+        .warnings = std::move(opened->warnings),
+        .pins = std::move(opened->pins)};
     if (opened->origin.simulator != kSimulatorVersion) {
         world.warnings.push_back(
             fmt::format("It was begun by simulator {}, this is {}; from here on it is another "

@@ -19,6 +19,7 @@ struct OpenedWorld {
     PreserveStart start;
     std::filesystem::path file;         // empty: it is not kept
     std::vector<std::string> warnings;  // about its file
+    Pins pins = {};
 };
 
 // The creatures with which a preserve begins.

@@ -33,6 +33,7 @@ struct PickNext {
 };
 struct FollowPicked {};  // or no longer
 struct PinPicked {};     // or unpin
+struct InheritPins {};   // lets descendants of pinned creatures be pinned, or no longer
 struct ShowPicked {};    // alone, in the viewer
 struct ShowWorld {};
 struct RemovePicked {};
@@ -73,8 +74,8 @@ struct BranchFrom {
 
 using PreserveRequest =
     std::variant<TogglePreserveCard, BeginPreserve, ClosePreserve, TogglePlay, AskPreserve,
-                 PickResident, PickNext, FollowPicked, PinPicked, ShowPicked, ShowWorld,
-                 RemovePicked, AimAt, FeedThere, MovePickedThere, DrawWall, ToggleWalls,
+                 PickResident, PickNext, FollowPicked, PinPicked, InheritPins, ShowPicked,
+                 ShowWorld, RemovePicked, AimAt, FeedThere, MovePickedThere, DrawWall, ToggleWalls,
                  EraseWallThere, AddShown, FitWorld, TurnPlot, ShowList, TypeLaws, SetLaw,
                  BranchFrom>;
 

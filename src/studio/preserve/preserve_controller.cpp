@@ -128,9 +128,9 @@ struct PreserveController::Handler : WorldTools {
     }
     void operator()(const PinPicked&) const {
         if (picked() == nullptr) return;
-        const std::uint64_t number = picked()->life.number;
-        if (self.pins_.erase(number) == 0) self.pins_.insert(number);
+        self.pins_.toggle(picked()->life.number);
     }
+    void operator()(const InheritPins&) const { self.pins_.toggle_inheritance(); }
     void operator()(const ShowPicked&) const { self.tools_.single = self.show_picked(); }
     void operator()(const ShowWorld&) const { self.tools_.single = false; }
     void operator()(const FitWorld&) const {
@@ -174,6 +174,13 @@ void PreserveController::update() {
     if (open_) {
         open_->update(services_.feedback);
         picture_ = open_->picture();
+        pins_.follow(*picture_);
+        if (pins_.take_change()) {
+            send(KeepPins{pins_.pins()});
+            services_.feedback.log().write(
+                "pins", {{"creatures", static_cast<double>(pins_.pins().creatures.size())},
+                         {"inherited", pins_.pins().inherited}});
+        }
     }
     facts_.reset();
     if (!on()) return;
@@ -183,7 +190,7 @@ void PreserveController::update() {
     facts_.emplace(PreserveView{.picture = *picture_,
                                 .file = open_ ? open_->file() : no_file,
                                 .picked = picked,
-                                .pins = pins_,
+                                .pins = pins_.pins(),
                                 .founding = open_ ? open_->settings() : nullptr,
                                 .follow = tools_.follow,
                                 .single = tools_.single,
@@ -272,9 +279,10 @@ void PreserveController::open(OpenedWorld opened) {
     }
     close();
     const std::vector<std::string> warnings = std::move(opened.warnings);
+    Pins pins = std::move(opened.pins);
     open_ = std::make_shared<OpenPreserve>(std::move(opened), workers_);
     picture_ = open_->picture();
-    pins_.clear();
+    pins_.begin(std::move(pins), *picture_);
     tools_.wall = {};
     tools_.single = false;
     tools_.follow = false;

@@ -7,11 +7,11 @@
 #include "studio/hand_picking/picking_controller.h"
 #include "studio/preserve/open_preserve.h"
 #include "studio/preserve/preserve_contract.h"
+#include "studio/preserve/world_pins.h"
 
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <vector>
 
 namespace cambrian {
@@ -84,7 +84,7 @@ private:
     std::filesystem::path own_file_;
     std::shared_ptr<OpenPreserve> open_;  // null while another world is being read
     std::shared_ptr<const PreservePicture> picture_;
-    std::set<std::uint64_t> pins_;
+    WorldPins pins_;
     Tools tools_;
     std::optional<PreserveView> facts_;
 };

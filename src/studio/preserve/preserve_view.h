@@ -3,13 +3,13 @@
 // What panels see of a preserve.
 
 #include "preserve/engine/preserve_picture.h"
+#include "preserve/pins.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <set>
 
 namespace cambrian {
 
@@ -34,7 +34,7 @@ struct PreserveView {
     // The creature that was picked, alive or dead; null if none was. For a dead one it is as it
     // was last seen.
     const ResidentPicture* picked = nullptr;
-    const std::set<std::uint64_t>& pins;
+    const Pins& pins;
     SettingsPtr founding = nullptr;  // with which it began; null while another world is being read
     bool follow = false;             // the camera follows the picked creature
     bool single = false;             // the viewer shows one creature instead of the world

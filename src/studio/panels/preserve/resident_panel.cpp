@@ -107,12 +107,16 @@ void draw_buttons(const PreserveView& preserve, bool alive, Requests& out) {
                                    .enabled = enabled,
                                    .tooltip = hint});
     };
-    const bool pinned = preserve.pins.contains(preserve.picked->life.number);
+    const bool pinned = preserve.pins.creatures.contains(preserve.picked->life.number);
     if (button("Follow", "The camera follows it (F)", preserve.follow, alive, half))
         out.ask(FollowPicked{});
     ImGui::SameLine(0, px(6));
     if (button(pinned ? "Unpin" : "Pin", "Marks it in the world (P)", pinned, alive, half))
         out.ask(PinPicked{});
+    if (pinned && button(preserve.pins.inherited ? "Descendants are pinned" : "Pin descendants too",
+                         "Children of pinned creatures are pinned at birth, or no longer (Shift+P)",
+                         preserve.pins.inherited, true, 2.0F * half + px(6)))
+        out.ask(InheritPins{});
     if (button("Show alone", "Displays it in the viewer, with its brain and its genes (V)", false,
                true, half))
         out.ask(ShowPicked{});

@@ -48,8 +48,9 @@ void WorldPanel::draw(const FrameContext& frame, Requests& out) {
     aim(out);
     canvas_.frame.clear();
     const PreserveView& preserve = *frame.preserve;
-    add_world(canvas_.frame, colors(), canvas_.camera, canvas_.size(), preserve.picture,
-              {preserve.picked == nullptr ? 0 : preserve.picked->life.number, preserve.pins});
+    add_world(
+        canvas_.frame, colors(), canvas_.camera, canvas_.size(), preserve.picture,
+        {preserve.picked == nullptr ? 0 : preserve.picked->life.number, preserve.pins.creatures});
     const ResidentPicture* held = held_ == 0 ? nullptr : preserve.picture.find(held_);
     if (held != nullptr && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
         canvas_.frame.add_line(held->center.head<2>(), canvas_.mouse_in_world(),
@@ -185,7 +186,7 @@ void WorldPanel::draw_labels(const FrameContext& frame) {
         const float width = ImGui::CalcTextSize(number.c_str()).x;
         outlined_text(list, {center.x - 0.5F * width, center.y + reach}, color, number);
     };
-    for (const std::uint64_t pin : preserve.pins) {
+    for (const std::uint64_t pin : preserve.pins.creatures) {
         const ResidentPicture* pinned = preserve.picture.find(pin);
         if (pinned != nullptr && !preserve.picked_is(pin)) label(*pinned, colors().text);
     }
