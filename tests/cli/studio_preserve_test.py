@@ -35,6 +35,7 @@ class StudioPreserve(StudioTest):
 
         self.press("Tab")
         _, after = self.wait_for("picked", after=after, number=1)
+        self.wait_for("place", name="live brain")
         first, after = self.state(after, picked=1)
         later, after = self.state(after, picked=1)
         self.assertNotEqual((first["x"], first["y"]), (later["x"], later["y"]))
@@ -145,7 +146,7 @@ class StudioPreserve(StudioTest):
             _, after = self.wait_for("pins", after=after, creatures=pinned, inherited=False)
         display.tool("key", "shift+p")
         _, after = self.wait_for("pins", after=after, creatures=2, inherited=True)
-        self.click("Descendants are pinned")
+        self.click("Pin children")
         self.wait_for("pins", after=after, creatures=2, inherited=False)
         self.quit()
         self.start(display, self.folder / "state" / "preserve.cambrian")

@@ -68,6 +68,32 @@ TEST_CASE("a preserve on its thread plays, pauses, steps and obeys", "[preserve]
     CHECK(engine.latest()->tick == paused->tick);
 }
 
+TEST_CASE("pictures have the signals of the brain that is watched, while it lives",
+          "[preserve][threads]") {
+    PreserveEngine engine({begun(small_world(), {eater(0.0)}), nullptr, {}}, 1);
+    CHECK(engine.latest()->brain.creature == 0);
+    engine.send(WatchBrain{3});
+    const auto watched =
+        picture_with(engine, [](const auto& picture) { return picture.brain.creature == 3; });
+    const ResidentPicture* creature = watched->find(3);
+    REQUIRE(creature != nullptr);
+    CHECK(watched->brain.slots.size() == creature->phenotype->network.slot_count());
+    CHECK(watched->brain.outputs.size() == creature->phenotype->network.outputs.size());
+    REQUIRE_FALSE(watched->brain.outputs.empty());
+    for (int tick = 1; tick <= 10; ++tick) {
+        engine.send(StepPreserve{});
+        picture_with(engine, [&](const auto& picture) {
+            return picture.tick == static_cast<std::uint64_t>(tick);
+        });
+    }
+    CHECK(engine.latest()->brain.outputs != watched->brain.outputs);
+    engine.send(Intervene{{.what = intervention::kRemove, .number = 3}});
+    const auto removed =
+        picture_with(engine, [](const auto& picture) { return answered(picture, 1); });
+    CHECK(removed->brain.creature == 0);
+    CHECK(removed->brain.slots.empty());
+}
+
 TEST_CASE("a preserve goes at the pace that is asked for", "[preserve][threads]") {
     PreserveEngine engine({begun(small_world(), {eater(0.0)}), nullptr, {}}, 1);
     engine.send(PacePreserve{0.1});

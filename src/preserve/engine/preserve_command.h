@@ -3,6 +3,7 @@
 #include "preserve/chronicle.h"
 #include "preserve/pins.h"
 
+#include <cstdint>
 #include <variant>
 
 namespace cambrian {
@@ -27,7 +28,12 @@ struct KeepPins {
     Pins pins;
 };
 
-using PreserveCommand =
-    std::variant<PlayPreserve, StepPreserve, PacePreserve, Intervene, KeepPreserve, KeepPins>;
+// Puts the brain of one creature into the pictures from now on.
+struct WatchBrain {
+    std::uint64_t creature = 0;  // number; 0 for none
+};
+
+using PreserveCommand = std::variant<PlayPreserve, StepPreserve, PacePreserve, Intervene,
+                                     KeepPreserve, KeepPins, WatchBrain>;
 
 }  // namespace cambrian

@@ -162,6 +162,10 @@ void PreserveEngine::apply(KeepPins command) {
     unwritten_pins_ = std::move(command.pins);
 }
 
+void PreserveEngine::apply(WatchBrain command) {
+    camera_.watch(command.creature);
+}
+
 void PreserveEngine::publish() {
     auto picture = std::make_shared<PreservePicture>(shown_);
     camera_.take(*start_.preserve, *picture);

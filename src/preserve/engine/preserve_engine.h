@@ -60,6 +60,7 @@ private:
     void apply(const Intervene& command);
     void apply(KeepPreserve command);
     void apply(KeepPins command);
+    void apply(WatchBrain command);
     void publish();
 
     WorkerInbox<PreserveCommand, 256> inbox_;

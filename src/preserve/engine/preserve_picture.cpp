@@ -24,8 +24,23 @@ void PreserveCamera::take(const Preserve& preserve, PreservePicture& picture) {
     picture.patches = preserve.patches();
     picture.now = preserve.row();
     picture.residents = residents_of(preserve);
+    picture.brain = brain_in(preserve);
     picture.plants.assign(preserve.plants().all().begin(), preserve.plants().all().end());
     picture.flesh.assign(preserve.flesh().all().begin(), preserve.flesh().all().end());
+}
+
+LiveBrain PreserveCamera::brain_in(const Preserve& preserve) const {
+    LiveBrain live;
+    const auto found =
+        std::find_if(preserve.residents().begin(), preserve.residents().end(),
+                     [this](const auto& each) { return each->life.number == watched_; });
+    if (found == preserve.residents().end()) return live;
+    const Brain& brain = (*found)->brain();
+    live.creature = watched_;
+    live.slots.assign(brain.values().begin(), brain.values().end());
+    for (std::size_t i = 0; i < (*found)->phenotype().network.outputs.size(); ++i)
+        live.outputs.push_back(brain.output(i));
+    return live;
 }
 
 std::vector<ResidentPicture> PreserveCamera::residents_of(const Preserve& preserve) {

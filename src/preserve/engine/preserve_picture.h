@@ -32,6 +32,13 @@ struct ResidentPicture {
     std::shared_ptr<const Phenotype> phenotype;
 };
 
+// The signals of a brain at the moment of a picture.
+struct LiveBrain {
+    std::uint64_t creature = 0;   // number; 0 for none
+    std::vector<double> slots;    // the value of each slot of its network
+    std::vector<double> outputs;  // of effectors, then of organs
+};
+
 // The answer to an intervention.
 struct PreserveNews {
     std::uint64_t id = 0;  // ascending
@@ -51,6 +58,7 @@ struct PreservePicture {
     WalledArea area;
     SeriesRow now;
     std::vector<ResidentPicture> residents;  // in ascending order of numbers
+    LiveBrain brain;                         // of the creature that is watched, while it lives
     std::vector<Pellet> plants, flesh;
     std::vector<Rectangle> walls;  // within the area
     std::vector<LightPatch> patches;
@@ -69,8 +77,11 @@ class PreserveCamera {
 public:
     // Fills in what there is to see of the world at this moment: all but who plays it, and how.
     void take(const Preserve& preserve, PreservePicture& picture);
+    // Shows the brain of a creature in the following pictures; 0 for none.
+    void watch(std::uint64_t creature) { watched_ = creature; }
 
 private:
+    LiveBrain brain_in(const Preserve& preserve) const;
     std::vector<ResidentPicture> residents_of(const Preserve& preserve);
 
     struct Known {
@@ -78,6 +89,7 @@ private:
         std::shared_ptr<const Phenotype> phenotype;
     };
     std::vector<Known> known_;  // in ascending order
+    std::uint64_t watched_ = 0;
 };
 
 }  // namespace cambrian

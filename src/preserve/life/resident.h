@@ -65,6 +65,7 @@ public:
     bool can_move() const { return phenotype_->can_move() && phenotype_->has_live_control; }
     // Impacts of the last tick, if ramming counts in this world.
     std::span<const SceneImpact> impacts() const { return impacts_; }
+    const Brain& brain() const { return creature_->brain(); }
     const Emissions& emissions() const { return creature_->emissions(); }
     std::span<const Mouth> mouths() const { return mouths_; }
     const Phenotype& phenotype() const { return *phenotype_; }

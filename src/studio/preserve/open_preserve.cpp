@@ -46,6 +46,7 @@ void OpenPreserve::pick(std::uint64_t number) {
     } else {
         picked_.reset();
     }
+    send(WatchBrain{picked_ ? number : 0});
 }
 
 void OpenPreserve::follow_picked(Feedback& feedback) {

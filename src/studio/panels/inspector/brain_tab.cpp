@@ -1,6 +1,7 @@
 #include "studio/panels/inspector/brain_tab.h"
 
 #include "core/text/pretty_text.h"
+#include "studio/panels/inspector/network_drawing.h"
 #include "studio/widgets/plot.h"
 #include "studio/widgets/value_slider.h"
 #include "studio/widgets/widgets.h"
@@ -19,14 +20,6 @@ constexpr float kTraceHeight = 13.0F;
 constexpr float kTraceWidth = 32.0F;
 constexpr float kHistoryHeight = 132.0F;  // history and force slider of the chosen node
 constexpr double kForceRange = 2.0;       // range of the slider; larger values can be typed
-constexpr double kFullColor = 2.0;        // value at full colour; most signals are within +-2
-
-// Returns orange for positive values, blue for negative ones, grey for zero.
-Color value_color(double value) {
-    const auto share = static_cast<float>(std::clamp(std::fabs(value) / kFullColor, 0.0, 1.0));
-    const Color& end = value >= 0.0 ? colors().plot_best : colors().plot_median;
-    return mix(colors().raised, end, share);
-}
 
 std::vector<double> history_of(const BrainNode& node, const SignalTrace& signals) {
     if (node.kind == BrainNodeKind::kEffector) return signals.of_output(node.index);
@@ -36,37 +29,6 @@ std::vector<double> history_of(const BrainNode& node, const SignalTrace& signals
 double value_of(const BrainNode& node, const Brain& brain) {
     if (node.kind == BrainNodeKind::kEffector) return brain.output(node.index);
     return brain.value(static_cast<Slot>(node.index));
-}
-
-std::string words_for(const BrainNode& node, double value) {
-    const char* kind = node.kind == BrainNodeKind::kSensor   ? "Sensor"
-                       : node.kind == BrainNodeKind::kNeuron ? "Neuron"
-                                                             : "Effector";
-    const std::string where =
-        node.part < 0 ? std::string("central brain") : fmt::format("part {}", node.part);
-    return fmt::format("{}: {}\n{}\nNow {}\nClick for its history{}", kind, node.label, where,
-                       pretty_number(value),
-                       node.kind == BrainNodeKind::kNeuron ? " and to force it." : ".");
-}
-
-struct ShapeStyle {
-    Color fill;
-    Color rim;
-    float rim_width;
-};
-
-void draw_shape(ImDrawList& list, BrainNodeKind kind, const ImVec2& at, float radius,
-                const ShapeStyle& style) {
-    if (kind == BrainNodeKind::kNeuron) {
-        list.AddCircleFilled(at, radius, paint(style.fill), 20);
-        list.AddCircle(at, radius, paint(style.rim), 20, style.rim_width);
-        return;
-    }
-    const float rounding = kind == BrainNodeKind::kSensor ? 0.0F : px(4);
-    const ImVec2 low = {at.x - radius, at.y - radius};
-    const ImVec2 high = {at.x + radius, at.y + radius};
-    list.AddRectFilled(low, high, paint(style.fill), rounding);
-    list.AddRect(low, high, paint(style.rim), rounding, ImDrawFlags_None, style.rim_width);
 }
 
 // Draws values over ticks, the newest at the right, zero in the middle.
@@ -94,11 +56,6 @@ void BrainTab::rebuild(const FrameContext& frame) {
     if (chosen_ >= graph_.nodes.size()) chosen_ = 0;
 }
 
-ImVec2 BrainTab::point_of(const Rect& area, std::size_t node) const {
-    const GraphPoint& place = graph_.nodes[node].place;
-    return {area.x + place.x * area.width, area.y + place.y * area.height};
-}
-
 void BrainTab::draw(const FrameContext& frame, Requests& out) {
     if (phenotype_ != frame.viewer.playback.creature().shared_phenotype()) rebuild(frame);
     muted_text("Sensors on top, joints at the bottom. Orange is positive, blue negative.");
@@ -110,7 +67,7 @@ void BrainTab::draw(const FrameContext& frame, Requests& out) {
     const float height =
         std::max(inside.y - px(4), static_cast<float>(graph_.row_count) * px(kBrainRowHeight));
     const Rect area = {at.x, at.y, inside.x, height};
-    draw_links(area);
+    draw_links(*ImGui::GetWindowDrawList(), graph_, area);
     draw_nodes(area, frame, out);
     ImGui::SetCursorScreenPos({at.x, at.y + height});
     ImGui::EndChild();
@@ -119,32 +76,13 @@ void BrainTab::draw(const FrameContext& frame, Requests& out) {
     draw_force(frame, out);
 }
 
-void BrainTab::draw_links(const Rect& area) const {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    for (const BrainLink& link : graph_.links) {
-        const ImVec2 from = point_of(area, link.edge.from);
-        const ImVec2 to = point_of(area, link.edge.to);
-        const auto weight = static_cast<float>(std::min(4.0, std::fabs(link.weight)));
-        const Color& tint = link.weight >= 0.0 ? colors().plot_best : colors().plot_median;
-        const ImU32 color = paint(with_alpha(tint, 0.2F + 0.1F * weight));
-        const float width = px(0.8F + 0.35F * weight);
-        if (link.edge.from == link.edge.to) {
-            list.AddCircle({from.x + px(9), from.y - px(9)}, px(8), color, 16, width);
-            continue;
-        }
-        const float bend = 0.5F * (to.y - from.y);
-        list.AddBezierCubic(from, {from.x, from.y + bend}, {to.x, to.y - bend}, to, color, width,
-                            14);
-    }
-}
-
 void BrainTab::draw_nodes(const Rect& area, const FrameContext& frame, Requests& out) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Brain& brain = frame.viewer.playback.trial().creature().brain();
     const float radius = px(8);
     for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
         const BrainNode& node = graph_.nodes[i];
-        const ImVec2 at = point_of(area, i);
+        const ImVec2 at = point_of(graph_, area, i);
         ImGui::SetCursorScreenPos({at.x - radius, at.y - radius});
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::InvisibleButton("node", {2 * radius, 2 * radius + px(kTraceHeight)}))
@@ -171,7 +109,8 @@ void BrainTab::draw_nodes(const Rect& area, const FrameContext& frame, Requests&
                    {value_color(value), rim, strong ? px(2.5F) : px(1)});
         if (!ImGui::IsItemHovered()) continue;
         if (node.part >= 0) out.ask(ShowHighlight{{.part = node.part}});
-        tooltip(words_for(node, value));
+        tooltip(words_for(node, value) + "\nClick for its history" +
+                (node.kind == BrainNodeKind::kNeuron ? " and to force it." : "."));
     }
 }
 

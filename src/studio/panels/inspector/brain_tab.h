@@ -19,13 +19,11 @@ public:
 
 private:
     void rebuild(const FrameContext& frame);
-    void draw_links(const Rect& area) const;
     void draw_nodes(const Rect& area, const FrameContext& frame, Requests& out);
     void draw_history(const FrameContext& frame) const;
     void draw_force(const FrameContext& frame, Requests& out);
     bool is_forced(const FrameContext& frame, const BrainNode& node) const;
     std::size_t neuron_of(const BrainNode& node) const;
-    ImVec2 point_of(const Rect& area, std::size_t node) const;
 
     std::shared_ptr<const Phenotype> phenotype_;  // the phenotype whose graph is shown
     BrainGraph graph_;

@@ -5,6 +5,7 @@
 #include "preserve/life/diet.h"
 #include "preserve/world_time.h"
 #include "studio/frame/help_mark.h"
+#include "studio/panels/inspector/network_drawing.h"
 #include "studio/preserve/notables.h"
 #include "studio/preserve/world_words.h"
 #include "studio/widgets/creature_tile.h"
@@ -16,11 +17,15 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace cambrian {
 namespace {
 
 constexpr std::size_t kMostChildren = 12;  // that are listed
+constexpr std::size_t kNodesAcross = 6;    // of a brain
+constexpr float kLiveRowHeight = 30.0F;
+constexpr float kNodeRadius = 7.0F;
 
 std::string joules_words(double energy) {
     return measured(energy, "J");
@@ -74,11 +79,14 @@ void draw_family(const PreservePicture& picture, const Life& life, Requests& out
     }
 }
 
-void draw_energy(const ResidentPicture& picked) {
-    section("Energy");
-    fact("In store", joules_words(picked.store));
+void draw_store(const ResidentPicture& picked) {
+    fact("Energy in store", joules_words(picked.store));
     progress_bar(static_cast<float>(picked.store / std::max(picked.birth_need, 1e-9)), 0.0F, px(6));
     tooltip("A full bar is enough to bear a child of its size.");
+}
+
+void draw_energy(const ResidentPicture& picked) {
+    section("Energy");
     const Life& life = picked.life;
     fact("Bound in its body", joules_words(picked.body));
     fact("Gained from plants", joules_words(joules(life.eaten_plants)));
@@ -113,19 +121,19 @@ void draw_buttons(const PreserveView& preserve, bool alive, Requests& out) {
     ImGui::SameLine(0, px(6));
     if (button(pinned ? "Unpin" : "Pin", "Marks it in the world (P)", pinned, alive, half))
         out.ask(PinPicked{});
-    if (pinned && button(preserve.pins.inherited ? "Descendants are pinned" : "Pin descendants too",
-                         "Children of pinned creatures are pinned at birth, or no longer (Shift+P)",
-                         preserve.pins.inherited, true, 2.0F * half + px(6)))
-        out.ask(InheritPins{});
     if (button("Show alone", "Displays it in the viewer, with its brain and its genes (V)", false,
                true, half))
         out.ask(ShowPicked{});
     ImGui::SameLine(0, px(6));
     if (button("Save…", "Saves it as a creature file or a card (S)", false, true, half))
         out.ask(SaveResident{});
-    if (button("Remove", "Ends its life; its energy becomes flesh (Delete)", false, alive,
-               2.0F * half + px(6)))
+    if (button("Remove", "Ends its life; its energy becomes flesh (Delete)", false, alive, half))
         out.ask(RemovePicked{});
+    ImGui::SameLine(0, px(6));
+    const bool inherited = preserve.pins.inherited;
+    if (button("Pin children", "Children of pinned creatures are pinned at birth (Shift+P)",
+               inherited, pinned || inherited, half))
+        out.ask(InheritPins{});
 }
 
 void draw_notables(const PreservePicture& picture, Requests& out) {
@@ -146,7 +154,44 @@ void draw_notables(const PreservePicture& picture, Requests& out) {
     }
 }
 
-void draw_picked(const PreserveView& preserve, Requests& out) {
+// Draws a network with the present values of its signals.
+void draw_live(const BrainGraph& graph, const LiveBrain& live) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const Rect area = {at.x, at.y, ImGui::GetContentRegionAvail().x,
+                       static_cast<float>(graph.row_count) * px(kLiveRowHeight)};
+    ImGui::Dummy({area.width, area.height});
+    note_place("live brain");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_links(list, graph, area);
+    const float radius = px(kNodeRadius);
+    for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+        const BrainNode& node = graph.nodes[i];
+        const double value =
+            (node.kind == BrainNodeKind::kEffector ? live.outputs : live.slots)[node.index];
+        const ImVec2 place = point_of(graph, area, i);
+        draw_shape(list, node.kind, place, radius, {value_color(value), colors().faint, px(1)});
+        if (ImGui::IsWindowHovered() &&
+            ImGui::IsMouseHoveringRect({place.x - radius, place.y - radius},
+                                       {place.x + radius, place.y + radius}))
+            ImGui::SetTooltip("%s", words_for(node, value).c_str());
+    }
+}
+
+}  // namespace
+
+// Draws the picked creature's brain while it lives.
+void ResidentPanel::draw_brain(const FrameContext& frame) {
+    const ResidentPicture& picked = *frame.preserve->picked;
+    const LiveBrain& live = frame.preserve->picture.brain;
+    if (live.creature != picked.life.number) return;
+    if (std::exchange(phenotype_, picked.phenotype) != picked.phenotype)
+        graph_ = brain_graph(*phenotype_, frame.kinds.creature, kNodesAcross);
+    section("Brain");
+    draw_live(graph_, live);
+}
+
+void ResidentPanel::draw_picked(const FrameContext& frame, Requests& out) {
+    const PreserveView& preserve = *frame.preserve;
     const ResidentPicture& picked = *preserve.picked;
     const bool alive = picked.life.died == 0;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -161,13 +206,13 @@ void draw_picked(const PreserveView& preserve, Requests& out) {
     fact("Age", pretty_time(age_of(picked.life, preserve.picture.tick)));
     fact("Born at", world_time(picked.life.born));
     fact("Lineage", fmt::format("of creature {}", picked.life.lineage));
+    draw_store(picked);
     draw_buttons(preserve, alive, out);
+    draw_brain(frame);
     draw_energy(picked);
     draw_family(preserve.picture, picked.life, out);
     draw_body(picked.life);
 }
-
-}  // namespace
 
 void ResidentPanel::draw(const FrameContext& frame, Requests& out) {
     const PreserveView& preserve = *frame.preserve;
@@ -179,7 +224,7 @@ void ResidentPanel::draw(const FrameContext& frame, Requests& out) {
     if (preserve.picked == nullptr) {
         draw_notables(preserve.picture, out);
     } else {
-        draw_picked(preserve, out);
+        draw_picked(frame, out);
     }
     ImGui::EndChild();
 }

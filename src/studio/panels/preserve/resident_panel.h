@@ -1,6 +1,9 @@
 #pragma once
 
 #include "studio/frame/panel.h"
+#include "studio/panels/inspector/brain_graph.h"
+
+#include <memory>
 
 namespace cambrian {
 
@@ -8,6 +11,13 @@ namespace cambrian {
 class ResidentPanel final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
+
+private:
+    void draw_picked(const FrameContext& frame, Requests& out);
+    void draw_brain(const FrameContext& frame);
+
+    std::shared_ptr<const Phenotype> phenotype_;  // the phenotype whose network is shown
+    BrainGraph graph_;
 };
 
 }  // namespace cambrian
