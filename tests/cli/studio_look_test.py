@@ -235,7 +235,7 @@ class StudioLook(StudioTest):
         self.keys("Tab", "p", "space")
         self.wait_for("world", after=after, playing=False)
         self.look("preserve-picked")
-        self.keys("n")
+        self.keys("n", "r")
         self.look("preserve-laws")
         self.tap("go back")
         self.look("preserve-snapshots", pointed=True)

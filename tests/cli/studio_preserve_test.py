@@ -39,6 +39,8 @@ class StudioPreserve(StudioTest):
         first, after = self.state(after, picked=1)
         later, after = self.state(after, picked=1)
         self.assertNotEqual((first["x"], first["y"]), (later["x"], later["y"]))
+        self.press("r")
+        self.wait_for("energy rings", after=after, on=True)
         self.click("Follow")
         _, after = self.wait_for("follow", after=after, on=True)
         self.assert_painted(display.picture("preserve-1280x800.png"))

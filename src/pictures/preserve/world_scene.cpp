@@ -1,5 +1,6 @@
 #include "pictures/preserve/world_scene.h"
 
+#include "math/elementary.h"
 #include "math/pose.h"
 #include "pictures/scene/scene_builder.h"
 
@@ -129,11 +130,20 @@ bool in_view(const ResidentPicture& resident, const WorldWindow& window) {
            center.y() + reach > window.low.y() && center.y() - reach < window.high.y();
 }
 
+// Draws the store as a part of a ring, clockwise from the top.
+void add_energy(SceneFrame& frame, const Palette& palette, const ResidentPicture& resident,
+                double radius, double width) {
+    const double share = std::clamp(resident.store / resident.birth_need, 0.0, 1.0);
+    frame.add_arc(resident.center.head<2>(), radius, {0.5 * kPi, (0.5 - 2.0 * share) * kPi}, width,
+                  mix(palette.danger, kPlantColor, static_cast<float>(share)));
+}
+
 void add_marks(SceneFrame& frame, const Palette& palette, const Camera& camera,
                const WorldMarks& marks, const ResidentPicture& resident) {
     const Vec2 center = resident.center.head<2>();
     const double reach = reach_of(resident) + 5.0 * camera.pixel();
     const double width = 2.0 * camera.pixel();
+    if (marks.energy) add_energy(frame, palette, resident, reach, 1.5 * width);
     if (marks.pins.contains(resident.life.number))
         frame.add_ring(center, reach + 2.0 * width, width, palette.text);
     if (marks.picked != resident.life.number) return;

@@ -16,6 +16,9 @@ namespace cambrian {
 struct WorldMarks {
     std::uint64_t picked = 0;  // 0 for none
     std::set<std::uint64_t> pins;
+    // Whether a ring around each creature shows its store. It is complete, and green, when the
+    // store is enough to bear a child.
+    bool energy = false;
 };
 
 void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,

@@ -53,6 +53,7 @@ struct EraseWallThere {};
 // Adds a copy of the creature on display.
 struct AddShown {};
 struct FitWorld {};
+struct ToggleEnergyRings {};
 // Goes so many plots of the series further.
 struct TurnPlot {
     int steps = 1;
@@ -76,8 +77,8 @@ using PreserveRequest =
     std::variant<TogglePreserveCard, BeginPreserve, ClosePreserve, TogglePlay, AskPreserve,
                  PickResident, PickNext, FollowPicked, PinPicked, InheritPins, ShowPicked,
                  ShowWorld, RemovePicked, AimAt, FeedThere, MovePickedThere, DrawWall, ToggleWalls,
-                 EraseWallThere, AddShown, FitWorld, TurnPlot, ShowList, TypeLaws, SetLaw,
-                 BranchFrom>;
+                 EraseWallThere, AddShown, FitWorld, ToggleEnergyRings, TurnPlot, ShowList,
+                 TypeLaws, SetLaw, BranchFrom>;
 
 // The card with which a preserve is begun.
 struct PreserveCardView {

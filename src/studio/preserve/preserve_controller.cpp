@@ -137,6 +137,10 @@ struct PreserveController::Handler : WorldTools {
         self.tools_.follow = false;
         ++self.tools_.fits_asked;
     }
+    void operator()(const ToggleEnergyRings&) const {
+        self.tools_.energy = !self.tools_.energy;
+        self.services_.feedback.log().write("energy rings", {{"on", self.tools_.energy}});
+    }
     void operator()(const TurnPlot& request) const {
         const auto count = static_cast<int>(kWorldPlotCount);
         const int next = static_cast<int>(self.tools_.plot) + request.steps;
@@ -193,6 +197,7 @@ void PreserveController::update() {
                                 .pins = pins_.pins(),
                                 .founding = open_ ? open_->settings() : nullptr,
                                 .follow = tools_.follow,
+                                .energy = tools_.energy,
                                 .single = tools_.single,
                                 .opening = open_ == nullptr,
                                 .fits_asked = tools_.fits_asked,

@@ -66,6 +66,7 @@ private:
         WorldList list = WorldList::kLineages;
         unsigned laws_asked = 0;
         bool follow = false;
+        bool energy = false;
         bool single = false;
         bool card_open = false;
         unsigned fits_asked = 0;

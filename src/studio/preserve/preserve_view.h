@@ -37,6 +37,7 @@ struct PreserveView {
     const Pins& pins;
     SettingsPtr founding = nullptr;  // with which it began; null while another world is being read
     bool follow = false;             // the camera follows the picked creature
+    bool energy = false;             // a ring around each creature shows its store
     bool single = false;             // the viewer shows one creature instead of the world
     bool opening = false;            // another world is being read
     unsigned fits_asked = 0;         // number of FitWorld requests so far

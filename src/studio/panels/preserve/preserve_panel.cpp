@@ -51,6 +51,15 @@ void draw_walls(const PreserveView& preserve, Requests& out) {
         out.ask(EraseWallThere{});
 }
 
+void draw_ring_switch(const PreserveView& preserve, Requests& out) {
+    if (push_button("Energy rings",
+                    {.look = preserve.energy ? ButtonLook::kSelected : ButtonLook::kPlain,
+                     .width = ImGui::GetContentRegionAvail().x,
+                     .tooltip = "A ring around each creature shows its store. It is complete, and "
+                                "green, when that is enough to bear a child (R)"}))
+        out.ask(ToggleEnergyRings{});
+}
+
 // Draws a lineage as a bar of its share. Returns true when pressed.
 bool draw_lineage(const LineageCount& lineage, std::size_t all) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -135,6 +144,7 @@ void PreservePanel::draw(const FrameContext& frame, Requests& out) {
     place_title("Preserve", "preserve", out);
     draw_additions(frame, out);
     draw_walls(*frame.preserve, out);
+    draw_ring_switch(*frame.preserve, out);
     draw_file(*frame.preserve, out);
     ImGui::Dummy({0, px(4)});
     const int pressed = segmented(

@@ -48,9 +48,9 @@ void WorldPanel::draw(const FrameContext& frame, Requests& out) {
     aim(out);
     canvas_.frame.clear();
     const PreserveView& preserve = *frame.preserve;
-    add_world(
-        canvas_.frame, colors(), canvas_.camera, canvas_.size(), preserve.picture,
-        {preserve.picked == nullptr ? 0 : preserve.picked->life.number, preserve.pins.creatures});
+    add_world(canvas_.frame, colors(), canvas_.camera, canvas_.size(), preserve.picture,
+              {preserve.picked == nullptr ? 0 : preserve.picked->life.number,
+               preserve.pins.creatures, preserve.energy});
     const ResidentPicture* held = held_ == 0 ? nullptr : preserve.picture.find(held_);
     if (held != nullptr && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
         canvas_.frame.add_line(held->center.head<2>(), canvas_.mouse_in_world(),

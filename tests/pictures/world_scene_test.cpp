@@ -1,0 +1,61 @@
+#include "pictures/preserve/world_scene.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+namespace cambrian {
+namespace {
+
+ResidentPicture resident(double x, double store) {
+    ResidentPicture picture;
+    picture.life.number = 1;
+    picture.center = {x, 0.0, 0.0};
+    picture.store = store;
+    picture.birth_need = 100.0;
+    auto phenotype = std::make_shared<Phenotype>();
+    picture.phenotype = phenotype;
+    return picture;
+}
+
+// Returns the shapes that the energy of a creature in the middle of the view adds.
+std::vector<Shape> ring_of(const ResidentPicture& resident) {
+    PreservePicture picture;
+    picture.area = {40.0, 25.0};
+    picture.residents = {resident};
+    const Palette palette = palette_of(ThemeKind::kDark);
+    const Viewport viewport{800.0, 500.0};
+    Camera camera;
+    camera.fit({{-20.0, -12.5}, {20.0, 12.5}}, 1.0, viewport);
+    SceneFrame without;
+    add_world(without, palette, camera, viewport, picture, {});
+    SceneFrame with;
+    add_world(with, palette, camera, viewport, picture, {.picked = 0, .pins = {}, .energy = true});
+    const auto more = static_cast<std::ptrdiff_t>(without.shapes.size());
+    return {with.shapes.begin() + more, with.shapes.end()};
+}
+
+double length_of(const std::vector<Shape>& ring) {
+    double length = 0.0;
+    for (const Shape& each : ring)
+        length += 2.0 * (each.half_extents.x() - each.half_extents.y());
+    return length;
+}
+
+TEST_CASE("the ring of a creature is the longer and the greener the fuller its store is",
+          "[pictures][preserve]") {
+    const auto starving = ring_of(resident(0.0, 10.0));
+    const auto half = ring_of(resident(0.0, 50.0));
+    const auto full = ring_of(resident(0.0, 100.0));
+    REQUIRE_FALSE(starving.empty());
+    CHECK(length_of(half) == Approx(5.0 * length_of(starving)).epsilon(0.05));
+    CHECK(length_of(full) == Approx(2.0 * length_of(half)).epsilon(0.05));
+    CHECK(length_of(ring_of(resident(0.0, 300.0))) == length_of(full));
+    CHECK(full.front().fill.g > half.front().fill.g);
+    CHECK(half.front().fill.g > starving.front().fill.g);
+    CHECK(starving.front().fill.r > full.front().fill.r);
+    CHECK(ring_of(resident(30.0, 100.0)).empty());
+}
+
+}  // namespace
+}  // namespace cambrian
