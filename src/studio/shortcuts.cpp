@@ -364,6 +364,18 @@ void show_next_list(const FrameContext& frame, Requests& out) {
     out.ask(ShowList{static_cast<WorldList>(next)});
 }
 
+// Shows the museum or, if it is shown already, goes so many creatures further in it.
+template <int Steps>
+void turn_museum(const FrameContext& frame, Requests& out) {
+    open_left_panels(frame, out);
+    const PreserveView& preserve = *frame.preserve;
+    const auto count = static_cast<int>(preserve.picture.museum->size());
+    if (count == 0 || preserve.list != WorldList::kMuseum)
+        return out.ask(ShowList{WorldList::kMuseum});
+    const int next = (static_cast<int>(preserve.piece) + Steps + count) % count;
+    out.ask(ChoosePiece{static_cast<std::size_t>(next)});
+}
+
 void type_laws(const FrameContext& frame, Requests& out) {
     open_left_panels(frame, out);
     out.ask(TypeLaws{});
@@ -386,11 +398,27 @@ constexpr std::array kPreserveShortcuts = {
     Shortcut{{GLFW_KEY_C}, "C", "Pick its eldest living child", pick_child},
     Shortcut{{GLFW_KEY_T}, "T", "Show the next plot of the history", turn_plot<1>},
     Shortcut{{GLFW_KEY_T, false, true}, "Shift+T", "Show the plot before", turn_plot<-1>},
-    Shortcut{{GLFW_KEY_N}, "N", "Show the next list on the left: lineages, laws", show_next_list},
+    Shortcut{{GLFW_KEY_N},
+             "N",
+             "Show the next list on the left: lineages, laws, museum",
+             show_next_list},
     Shortcut{{GLFW_KEY_J},
              "J",
              "Type the value of the first law; Tab goes on to the next, Enter takes it",
              type_laws},
+    Shortcut{{GLFW_KEY_G}, "G", "Show the museum; choose its next creature", turn_museum<1>},
+    Shortcut{{GLFW_KEY_G, false, true},
+             "Shift+G",
+             "Show the museum; choose the creature before",
+             turn_museum<-1>},
+    Shortcut{{GLFW_KEY_ENTER},
+             "Enter",
+             "View the chosen creature of the museum alone",
+             simply<ShowPiece>},
+    Shortcut{{GLFW_KEY_S, false, true},
+             "Shift+S",
+             "Save the chosen creature of the museum",
+             simply<SavePiece>},
     Shortcut{{GLFW_KEY_F}, "F", "Follow the picked creature with the camera", simply<FollowPicked>},
     Shortcut{{GLFW_KEY_P}, "P", "Pin the picked creature, or unpin it", simply<PinPicked>},
     Shortcut{{GLFW_KEY_P, false, true},

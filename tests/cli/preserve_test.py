@@ -8,7 +8,7 @@ import sqlite3
 import subprocess
 import unittest
 
-from program import CAMBRIAN, ROOT, SMALL, ProgramTest
+from program import CAMBRIAN, FERTILE, ROOT, SMALL, ProgramTest
 
 POND = """
 [preserve]
@@ -16,25 +16,6 @@ width = 12
 height = 10
 founders = 12
 energy-density = 100
-"""
-RICH = """
-[preserve]
-width = 12
-height = 10
-founders = 2
-restock = 0
-bodies = "ghostly"
-energy-density = 1000
-growth-time = 10
-max-population = 60
-
-[mutation]
-rate = 0
-
-[breeding]
-asexual = 1
-crossover = 0
-grafting = 0
 """
 CROWD = """
 [preserve]
@@ -132,7 +113,7 @@ class Preserve(ProgramTest):
                             "--law requires --resume")
 
     def test_the_museum_of_a_preserve_is_exported_as_creature_files(self):
-        self.write("rich.toml", RICH)
+        self.write("rich.toml", FERTILE)
         self.run_well("preserve", "rich.toml", "-f", *SWIMMERS, "--seconds", 1, "-o", "new.cambrian")
         self.assert_refused(self.run_program("export", "new.cambrian", "--museum", "-o", "museum"),
                             "the museum is empty")

@@ -27,6 +27,24 @@ size = 12
 [trial]
 duration = 2
 """
+# A preserve in which a lineage soon has many members.
+FERTILE = """
+[preserve]
+width = 12
+height = 10
+founders = 2
+restock = 0
+bodies = "ghostly"
+energy-density = 1000
+growth-time = 10
+max-population = 60
+[mutation]
+rate = 0
+[breeding]
+asexual = 1
+crossover = 0
+grafting = 0
+"""
 
 
 class ProgramTest(unittest.TestCase):

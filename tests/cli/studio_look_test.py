@@ -237,6 +237,8 @@ class StudioLook(StudioTest):
         self.look("preserve-picked")
         self.keys("n", "r")
         self.look("preserve-laws")
+        self.keys("g")
+        self.look("preserve-museum")
         self.tap("go back")
         self.look("preserve-snapshots", pointed=True)
         self.tap_nowhere()

@@ -5,7 +5,7 @@ import sqlite3
 import time
 import unittest
 
-from program import ROOT
+from program import FERTILE, ROOT
 from studio_driver import StudioTest
 
 SWIMMER = ROOT / "assets" / "creatures" / "squid.creature.json"
@@ -157,6 +157,27 @@ class StudioPreserve(StudioTest):
         _, after = self.wait_for("picked", after=after, number=1)
         self.press("p")
         self.wait_for("pins", after=after, creatures=1)
+        self.quit()
+
+    def test_the_museum_is_seen_and_its_creatures_are_saved(self):
+        self.write("rich.toml", FERTILE)
+        self.run_well("preserve", "rich.toml", "-f", SWIMMER, "--seconds", 60, "-o", "rich.cambrian")
+        names = self.run_well("export", "rich.cambrian", "--museum", "-o", "museum").stdout.split()
+        display = self.open_display()
+        self.start(display, self.folder / "rich.cambrian")
+        _, after = self.wait_for("preserve", on=True)
+        self.press("g")
+        _, after = self.wait_for("world list", after=after, name="Museum")
+        self.press("g")
+        chosen, after = self.wait_for("museum piece", after=after)
+        self.assertIn(f"creature-{chosen['number']:.0f}-{chosen['reason']}.creature.json", names)
+        self.assert_painted(display.picture("preserve-museum-1280x800.png"))
+        saved = self.save_as("shift+s", "piece")
+        self.run_well("simulate", saved, "--seconds", 1)
+        self.press("Return")
+        self.wait_for("place", name="Back to the world", after=after)
+        again = self.save_as("ctrl+s", "again")
+        self.assertEqual(again.read_bytes(), saved.read_bytes())
         self.quit()
 
     def test_a_preserve_goes_back_to_a_snapshot_and_is_kept_elsewhere(self):

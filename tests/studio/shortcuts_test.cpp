@@ -137,6 +137,31 @@ TEST_CASE("keys pick lineages, outstanding creatures and kin", "[studio][shortcu
     CHECK(by(GLFW_KEY_C, 7) == 0);
 }
 
+TEST_CASE("a key shows the museum and then goes through its creatures",
+          "[studio][shortcuts][preserve]") {
+    const test::StudioFixture studio;
+    PreservePicture picture;
+    picture.museum = std::make_shared<const std::vector<MuseumPiece>>(3);
+    const std::filesystem::path file;
+    const Pins pins;
+    PreserveView view{.picture = picture, .file = file, .picked = nullptr, .pins = pins};
+    const auto press = [&](bool shift) {
+        FrameContext frame = studio.frame();
+        frame.preserve = &view;
+        Requests out;
+        press_shortcut({GLFW_KEY_G, false, shift}, false, frame, out);
+        return out;
+    };
+    CHECK(test::asked<ShowList>(press(false)).list == WorldList::kMuseum);
+    view.list = WorldList::kMuseum;
+    CHECK(test::asked<ChoosePiece>(press(false)).index == 1);
+    CHECK(test::asked<ChoosePiece>(press(true)).index == 2);
+    view.piece = 2;
+    CHECK(test::asked<ChoosePiece>(press(false)).index == 0);
+    picture.museum = std::make_shared<const std::vector<MuseumPiece>>();
+    CHECK(test::was_asked<ShowList>(press(false)));
+}
+
 TEST_CASE("going back goes through all snapshots before the present tick",
           "[studio][shortcuts][preserve]") {
     const test::StudioFixture studio;

@@ -31,6 +31,8 @@ struct SaveCell {
 };
 // Displays the creature picked in the preserve and opens the file panel to save it.
 struct SaveResident {};
+// Does so with the creature that was chosen in the preserve's museum.
+struct SavePiece {};
 // Keeps the preserve in another file from now on.
 struct SavePreserveFile {
     std::filesystem::path path;
@@ -56,7 +58,7 @@ struct ToggleSamples {};
 
 using FilesRequest =
     std::variant<OpenFilePanel, CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile, SaveCell,
-                 SaveResident, SavePreserveFile, SaveExperimentFile, OpenPreviousRun,
+                 SaveResident, SavePiece, SavePreserveFile, SaveExperimentFile, OpenPreviousRun,
                  SaveSettingsFile, SaveStatisticsFile, SavePlotPicture, SaveScreenshot,
                  ToggleSamples>;
 

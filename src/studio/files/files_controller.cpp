@@ -76,8 +76,11 @@ struct FilesController::Handler {
         if (self.subjects_.picking.show_cell(request.cell))
             (*this)(OpenFilePanel{FileTask::kSaveCreature});
     }
-    void operator()(const SaveResident&) const {
-        if (self.subjects_.preserve.show_picked()) (*this)(OpenFilePanel{FileTask::kSaveCreature});
+    void operator()(const SaveResident&) const { save_alone(WorldSubject::kPicked); }
+    void operator()(const SavePiece&) const { save_alone(WorldSubject::kPiece); }
+    void save_alone(WorldSubject subject) const {
+        if (self.subjects_.preserve.show_alone(subject))
+            (*this)(OpenFilePanel{FileTask::kSaveCreature});
     }
     void operator()(const SavePreserveFile& request) const {
         self.subjects_.preserve.move_to(request.path);

@@ -90,11 +90,11 @@ Result<OpenedWorld> open_world(const std::filesystem::path& path, const Evolutio
                                      opened->state, opened->laws);
     if (!preserve)
         return Error{fmt::format("cannot open {}: {}", path.string(), preserve.error().message)};
-    OpenedWorld world{
-        .start = {std::move(*preserve), std::move(opened->file), std::move(opened->series)},
-        .file = path,
-        .warnings = std::move(opened->warnings),
-        .pins = std::move(opened->pins)};
+    OpenedWorld world{.start = {std::move(*preserve), std::move(opened->file),
+                                std::move(opened->series), std::move(opened->museum)},
+                      .file = path,
+                      .warnings = std::move(opened->warnings),
+                      .pins = std::move(opened->pins)};
     if (opened->origin.simulator != kSimulatorVersion) {
         world.warnings.push_back(
             fmt::format("It was begun by simulator {}, this is {}; from here on it is another "

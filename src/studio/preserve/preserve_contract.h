@@ -68,6 +68,11 @@ struct SetLaw {
     SettingField law;
     double value = 0.0;
 };
+// Chooses a creature of the museum, and shows the museum.
+struct ChoosePiece {
+    std::size_t index = 0;
+};
+struct ShowPiece {};  // the chosen one alone, in the viewer
 // Goes on from a snapshot, in a file of its own.
 struct BranchFrom {
     std::uint64_t tick = 0;
@@ -78,7 +83,7 @@ using PreserveRequest =
                  PickResident, PickNext, FollowPicked, PinPicked, InheritPins, ShowPicked,
                  ShowWorld, RemovePicked, AimAt, FeedThere, MovePickedThere, DrawWall, ToggleWalls,
                  EraseWallThere, AddShown, FitWorld, ToggleEnergyRings, TurnPlot, ShowList,
-                 TypeLaws, SetLaw, BranchFrom>;
+                 TypeLaws, SetLaw, ChoosePiece, ShowPiece, BranchFrom>;
 
 // The card with which a preserve is begun.
 struct PreserveCardView {

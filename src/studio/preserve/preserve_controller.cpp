@@ -40,9 +40,39 @@ std::vector<GenomePtr> genomes_of_choice(FounderChoice choice, const PreserveSub
 
 }  // namespace
 
-// What the user does to the world where the pointer or the view is.
-struct PreserveController::WorldTools {
+// What the user does with the lists about the world: its laws and its museum.
+struct PreserveController::WorldLists {
     PreserveController& self;
+
+    void operator()(const ShowList& request) const {
+        self.tools_.list = request.list;
+        self.services_.feedback.log().write(
+            "world list", {{"name", kWorldListNames[static_cast<std::size_t>(request.list)]}});
+    }
+    void operator()(const TypeLaws&) const {
+        self.tools_.list = WorldList::kLaws;
+        ++self.tools_.laws_asked;
+    }
+    void operator()(const SetLaw& request) const {
+        self.send(Intervene{law_change(request.law, request.value)});
+    }
+    void operator()(const ChoosePiece& request) const {
+        if (!self.on() || request.index >= self.picture_->museum->size()) return;
+        self.tools_.list = WorldList::kMuseum;
+        self.tools_.piece = request.index;
+        const MuseumPiece& piece = (*self.picture_->museum)[request.index];
+        self.services_.feedback.log().write(
+            "museum piece",
+            {{"number", static_cast<double>(piece.number)}, {"reason", piece.reason}});
+    }
+    void operator()(const ShowPiece&) const {
+        self.tools_.single = self.show_alone(WorldSubject::kPiece);
+    }
+};
+
+// What the user does to the world where the pointer or the view is.
+struct PreserveController::WorldTools : WorldLists {
+    using WorldLists::operator();
 
     const ResidentPicture* picked() const { return self.open_ ? self.open_->picked() : nullptr; }
     void intervene(const char* what, std::uint64_t number) const {
@@ -131,7 +161,9 @@ struct PreserveController::Handler : WorldTools {
         self.pins_.toggle(picked()->life.number);
     }
     void operator()(const InheritPins&) const { self.pins_.toggle_inheritance(); }
-    void operator()(const ShowPicked&) const { self.tools_.single = self.show_picked(); }
+    void operator()(const ShowPicked&) const {
+        self.tools_.single = self.show_alone(WorldSubject::kPicked);
+    }
     void operator()(const ShowWorld&) const { self.tools_.single = false; }
     void operator()(const FitWorld&) const {
         self.tools_.follow = false;
@@ -147,18 +179,6 @@ struct PreserveController::Handler : WorldTools {
         self.tools_.plot = static_cast<std::size_t>((next % count + count) % count);
         self.services_.feedback.log().write("world plot",
                                             {{"index", static_cast<double>(self.tools_.plot)}});
-    }
-    void operator()(const ShowList& request) const {
-        self.tools_.list = request.list;
-        self.services_.feedback.log().write(
-            "world list", {{"name", kWorldListNames[static_cast<std::size_t>(request.list)]}});
-    }
-    void operator()(const TypeLaws&) const {
-        self.tools_.list = WorldList::kLaws;
-        ++self.tools_.laws_asked;
-    }
-    void operator()(const SetLaw& request) const {
-        self.send(Intervene{law_change(request.law, request.value)});
     }
     void operator()(const BranchFrom& request) const {
         if (!self.open_ || self.open_->file().empty()) return;
@@ -204,11 +224,12 @@ void PreserveController::update() {
                                 .wall = tools_.wall,
                                 .plot = tools_.plot,
                                 .list = tools_.list,
-                                .laws_asked = tools_.laws_asked});
+                                .laws_asked = tools_.laws_asked,
+                                .piece = tools_.piece});
 }
 
 void PreserveController::carry_out(const PreserveRequest& request) {
-    std::visit(Handler{{*this}}, request);
+    std::visit(Handler{{{*this}}}, request);
 }
 
 PreserveCardView PreserveController::card() const {
@@ -291,6 +312,7 @@ void PreserveController::open(OpenedWorld opened) {
     tools_.wall = {};
     tools_.single = false;
     tools_.follow = false;
+    tools_.piece = 0;
     ++tools_.fits_asked;
     services_.feedback.log().write(
         "preserve", {{"on", true},
@@ -305,14 +327,23 @@ void PreserveController::add(const GenomePtr& genome) {
         {.what = intervention::kAdd, .x = tools_.aim.x(), .y = tools_.aim.y(), .genome = genome}});
 }
 
-bool PreserveController::show_picked() {
-    if (!open_ || open_->picked() == nullptr) return false;
-    const ResidentPicture& picked = *open_->picked();
-    Exhibit exhibit{.creature = unjudged(picked.life.genome, picture_->laws, picked.life.method),
-                    .source = ExhibitSource::kPreserve,
-                    .title = fmt::format("Creature {}", picked.life.number)};
-    subjects_.viewer.show(std::move(exhibit));
-    return true;
+bool PreserveController::show_alone(WorldSubject subject) {
+    if (!open_) return false;
+    const auto show = [this](std::uint64_t number, const GenomePtr& genome,
+                             const std::string& method) {
+        subjects_.viewer.show({.creature = unjudged(genome, picture_->laws, method),
+                               .source = ExhibitSource::kPreserve,
+                               .title = fmt::format("Creature {}", number)});
+        return true;
+    };
+    if (subject == WorldSubject::kPiece) {
+        const auto& museum = *picture_->museum;
+        if (tools_.piece >= museum.size()) return false;
+        const MuseumPiece& piece = museum[tools_.piece];
+        return show(piece.number, piece.genome, piece.reason);
+    }
+    const ResidentPicture* picked = open_->picked();
+    return picked != nullptr && show(picked->life.number, picked->life.genome, picked->life.method);
 }
 
 void PreserveController::move_to(const std::filesystem::path& path) {

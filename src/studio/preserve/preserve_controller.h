@@ -50,12 +50,13 @@ public:
     void open(OpenedWorld opened);
     // Adds a creature where the user points.
     void add(const GenomePtr& genome);
-    // Displays the picked creature in the viewer; returns false if there is none.
-    bool show_picked();
+    // Displays a creature in the viewer; returns false if there is none.
+    bool show_alone(WorldSubject subject);
     // Keeps the preserve in another file from now on.
     void move_to(const std::filesystem::path& path);
 
 private:
+    struct WorldLists;
     struct WorldTools;
     struct Handler;
     // What the user does with the world's panels.
@@ -65,6 +66,7 @@ private:
         std::size_t plot = 0;
         WorldList list = WorldList::kLineages;
         unsigned laws_asked = 0;
+        std::size_t piece = 0;
         bool follow = false;
         bool energy = false;
         bool single = false;

@@ -19,8 +19,11 @@ inline constexpr std::array kPreservePaces = {0.1, 1.0, 4.0, 0.0};
 inline constexpr std::size_t kWorldPlotCount = 5;  // of the series
 
 // What the left panel lists.
-enum class WorldList : std::uint8_t { kLineages, kLaws };
-inline constexpr std::array kWorldListNames = {"Lineages", "Laws"};
+enum class WorldList : std::uint8_t { kLineages, kLaws, kMuseum };
+inline constexpr std::array kWorldListNames = {"Lineages", "Laws", "Museum"};
+
+// A creature that is seen alone or saved.
+enum class WorldSubject : std::uint8_t { kPicked, kPiece };
 
 // A wall that the user draws.
 struct WallTool {
@@ -45,6 +48,7 @@ struct PreserveView {
     std::size_t plot = 0;  // index of the one shown
     WorldList list = WorldList::kLineages;
     unsigned laws_asked = 0;  // number of TypeLaws requests so far
+    std::size_t piece = 0;    // index of the chosen creature of the museum
 
     bool picked_is(std::uint64_t number) const {
         return picked != nullptr && picked->life.number == number;

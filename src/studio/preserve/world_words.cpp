@@ -41,6 +41,14 @@ std::string fate_words(const Life& life) {
     return "alive";
 }
 
+std::string reason_words(const MuseumPiece& piece) {
+    if (piece.reason == museum_reason::kLineage)
+        return fmt::format("founded a lineage of {}", piece.count);
+    if (piece.reason == museum_reason::kChildren)
+        return fmt::format("had the most children: {}", piece.count);
+    return piece.reason;
+}
+
 std::vector<LineageCount> lineages_in(const PreservePicture& picture) {
     std::map<std::uint64_t, LineageCount> counts;
     for (const ResidentPicture& each : picture.residents) {

@@ -15,6 +15,9 @@ std::string world_words(const PreservePicture& picture);
 // Returns "alive", or how it died: "died of hunger at 2:05".
 std::string fate_words(const Life& life);
 
+// Returns why a creature is in the museum: "founded a lineage of 20".
+std::string reason_words(const MuseumPiece& piece);
+
 // A lineage and its living members.
 struct LineageCount {
     std::uint64_t number = 0;

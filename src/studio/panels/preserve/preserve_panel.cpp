@@ -138,6 +138,16 @@ void draw_file(const PreserveView& preserve, Requests& out) {
     draw_snapshots(preserve.picture, half, out);
 }
 
+void draw_tabs(WorldList shown, Requests& out) {
+    ImGui::Dummy({0, px(4)});
+    const int pressed = segmented(
+        "world lists", {kWorldListNames.begin(), kWorldListNames.end()}, static_cast<int>(shown),
+        {"Who is related to whom (N)", "What can be changed while the world goes on (J)",
+         "Creatures that are kept in sight after their death (G)"});
+    if (pressed >= 0) out.ask(ShowList{static_cast<WorldList>(pressed)});
+    ImGui::Dummy({0, px(2)});
+}
+
 }  // namespace
 
 void PreservePanel::draw(const FrameContext& frame, Requests& out) {
@@ -146,17 +156,17 @@ void PreservePanel::draw(const FrameContext& frame, Requests& out) {
     draw_walls(*frame.preserve, out);
     draw_ring_switch(*frame.preserve, out);
     draw_file(*frame.preserve, out);
-    ImGui::Dummy({0, px(4)});
-    const int pressed = segmented(
-        "world lists", {kWorldListNames.begin(), kWorldListNames.end()},
-        static_cast<int>(frame.preserve->list),
-        {"Who is related to whom (N)", "What can be changed while the world goes on (N, J)"});
-    if (pressed >= 0) out.ask(ShowList{static_cast<WorldList>(pressed)});
+    draw_tabs(frame.preserve->list, out);
     ImGui::BeginChild("world list", {0, 0}, false, ImGuiWindowFlags_NoBackground);
-    if (frame.preserve->list == WorldList::kLaws) {
-        laws_.draw(frame, out);
-    } else {
-        draw_lineages(frame.preserve->picture, out);
+    switch (frame.preserve->list) {
+        case WorldList::kLineages:
+            draw_lineages(frame.preserve->picture, out);
+            break;
+        case WorldList::kLaws:
+            laws_.draw(frame, out);
+            break;
+        case WorldList::kMuseum:
+            museum_.draw(frame, out);
     }
     ImGui::EndChild();
 }

@@ -2,6 +2,7 @@
 
 #include "studio/frame/panel.h"
 #include "studio/panels/preserve/law_list.h"
+#include "studio/panels/preserve/museum_list.h"
 
 namespace cambrian {
 
@@ -12,6 +13,7 @@ public:
 
 private:
     LawList laws_;
+    MuseumList museum_;
 };
 
 }  // namespace cambrian
