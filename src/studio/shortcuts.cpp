@@ -327,10 +327,13 @@ void pick_notable(const FrameContext& frame, Requests& out) {
     out.ask(PickResident{next_of(notables, here, 1)});
 }
 
+// Picks the parent that comes first in this order, if it is alive, or else the other one.
+template <int First>
 void pick_parent(const FrameContext& frame, Requests& out) {
     const PreserveView& preserve = *frame.preserve;
     if (preserve.picked == nullptr) return;
-    for (const std::uint64_t parent : preserve.picked->life.parents) {
+    const auto& parents = preserve.picked->life.parents;
+    for (const std::uint64_t parent : {parents[First], parents[1 - First]}) {
         if (preserve.picture.find(parent) != nullptr) return out.ask(PickResident{parent});
     }
 }
@@ -344,6 +347,19 @@ void pick_child(const FrameContext& frame, Requests& out) {
         if (std::find(parents.begin(), parents.end(), number) != parents.end())
             return out.ask(PickResident{each.life.number});
     }
+}
+
+// Picks the next of those with the same first parent.
+void pick_sibling(const FrameContext& frame, Requests& out) {
+    const PreserveView& preserve = *frame.preserve;
+    if (preserve.picked == nullptr || preserve.picked->life.parents[0] == 0) return;
+    std::vector<std::uint64_t> siblings;
+    for (const ResidentPicture& each : preserve.picture.residents) {
+        if (each.life.parents[0] == preserve.picked->life.parents[0])
+            siblings.push_back(each.life.number);
+    }
+    if (!siblings.empty())
+        out.ask(PickResident{next_of(siblings, preserve.picked->life.number, 1)});
 }
 
 template <int Steps>
@@ -394,8 +410,13 @@ constexpr std::array kPreserveShortcuts = {
              "Pick the eldest of the lineage before",
              pick_lineage<-1>},
     Shortcut{{GLFW_KEY_O}, "O", "Pick the next outstanding creature", pick_notable},
-    Shortcut{{GLFW_KEY_U}, "U", "Pick the picked creature's parent", pick_parent},
+    Shortcut{{GLFW_KEY_U}, "U", "Pick the picked creature's parent", pick_parent<0>},
+    Shortcut{{GLFW_KEY_U, false, true}, "Shift+U", "Pick its other parent", pick_parent<1>},
     Shortcut{{GLFW_KEY_C}, "C", "Pick its eldest living child", pick_child},
+    Shortcut{{GLFW_KEY_C, false, true},
+             "Shift+C",
+             "Pick the next child of its first parent",
+             pick_sibling},
     Shortcut{{GLFW_KEY_T}, "T", "Show the next plot of the history", turn_plot<1>},
     Shortcut{{GLFW_KEY_T, false, true}, "Shift+T", "Show the plot before", turn_plot<-1>},
     Shortcut{{GLFW_KEY_N},

@@ -180,6 +180,50 @@ class StudioPreserve(StudioTest):
         self.assertEqual(again.read_bytes(), saved.read_bytes())
         self.quit()
 
+    def press_for(self, key, event, after, **wanted):
+        """Presses a key and waits for what it does; returns that and the position after it."""
+        self.press(key)
+        return self.wait_for(event, after=after, **wanted)
+
+    def test_a_world_is_played_and_changed_by_keys_alone(self):
+        display = self.open_display()
+        after = self.begin(display)
+        display.tool("mousemove", 2, 2)
+        paused, after = self.press_for("space", "world", after, playing=False)
+        for key, pace in (("bracketright", 4), ("bracketleft", 1), ("bracketleft", 0.1)):
+            _, after = self.press_for(key, "world", after, pace=pace)
+        for tick in (paused["tick"] + 1, paused["tick"] + 2):
+            _, after = self.press_for("period", "world", after, tick=tick)
+        for key in ("Tab", "l", "o"):
+            picked, after = self.press_for(key, "picked", after)
+        number = picked["number"]
+        _, after = self.press_for("f", "follow", after, on=True)
+        _, after = self.press_for("m", "intervention", after, what="move", number=number, done=True)
+        self.press("v")
+        _, after = self.wait_for("place", name="Back to the world")
+        self.press("Escape")
+        time.sleep(0.5)
+        _, after = self.press_for("a", "intervention", after, what="add", done=True)
+        _, after = self.press_for("e", "intervention", after, what="feed", done=True)
+        self.press("Home")
+        self.press("w")
+        for _ in range(3):
+            self.press("Right")
+        _, after = self.press_for("w", "intervention", after, what="wall", done=True)
+        _, after = self.press_for("x", "intervention", after, what="erase", done=True)
+        _, after = self.press_for("r", "energy rings", after, on=True)
+        _, after = self.press_for("t", "world plot", after, index=1)
+        for name in ("Laws", "Museum", "Lineages"):
+            _, after = self.press_for("n", "world list", after, name=name)
+        _, after = self.press_for("Delete", "intervention", after, what="remove", done=True)
+        display.tool("key", "ctrl+z")
+        branch, after = self.wait_for("preserve", after=after, on=True)
+        self.assertEqual(branch["tick"], 0)
+        display.tool("key", "ctrl+w")
+        self.wait_for("preserve", after=after, on=False)
+        self.quit()
+        self.run_well("verify", self.folder / "state" / "preserve.cambrian")
+
     def test_a_preserve_goes_back_to_a_snapshot_and_is_kept_elsewhere(self):
         display = self.open_display()
         after = self.begin(display)

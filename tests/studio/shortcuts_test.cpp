@@ -132,9 +132,18 @@ TEST_CASE("keys pick lineages, outstanding creatures and kin", "[studio][shortcu
     CHECK(by(GLFW_KEY_O, 5) == 3);
     CHECK(by(GLFW_KEY_O, 3) == 5);
     CHECK(by(GLFW_KEY_U, 7) == 5);
+    CHECK(by(GLFW_KEY_U, 7, true) == 5);
     CHECK(by(GLFW_KEY_U, 2) == 0);
     CHECK(by(GLFW_KEY_C, 3) == 5);
     CHECK(by(GLFW_KEY_C, 7) == 0);
+    CHECK(by(GLFW_KEY_C, 3, true) == 0);
+    CHECK(by(GLFW_KEY_C, 7, true) == 7);
+    picture.residents.push_back(resident(8, 8, 5));
+    picture.residents.back().life.parents[1] = 2;
+    CHECK(by(GLFW_KEY_C, 7, true) == 8);
+    CHECK(by(GLFW_KEY_C, 8, true) == 7);
+    CHECK(by(GLFW_KEY_U, 8) == 5);
+    CHECK(by(GLFW_KEY_U, 8, true) == 2);
 }
 
 TEST_CASE("a key shows the museum and then goes through its creatures",

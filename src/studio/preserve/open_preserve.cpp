@@ -91,6 +91,7 @@ void OpenPreserve::log_state(Feedback& feedback) {
                                    {"plants", real(picture_->plants.size())},
                                    {"walls", real(picture_->walls.size())},
                                    {"playing", picture_->playing},
+                                   {"pace", picture_->pace},
                                    {"factor", picture_->factor},
                                    {"picked", picked_ ? real(picked_->life.number) : 0.0},
                                    {"x", picked_ ? picked_->center.x() : 0.0},
