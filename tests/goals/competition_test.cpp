@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
 
 using namespace cambrian;
 using test::kinds;
@@ -34,13 +35,16 @@ double contest_result(const GenomePtr& creature, const std::vector<GenomePtr>& o
     return result.fitness;
 }
 
+GenomePtr sample(const std::string& name) {
+    const std::filesystem::path folder = CAMBRIAN_SOURCE_DIR "/assets/creatures";
+    const auto document = load_creature(folder / (name + ".creature.json"), kinds());
+    REQUIRE(document);
+    return document->creature.individual->genome;
+}
+
 // An evolved walker that goes to the right at about 1.5 m/s.
 GenomePtr pusher() {
-    const auto sample = load_creature(
-        std::filesystem::path(CAMBRIAN_SOURCE_DIR) / "assets/creatures/biped.creature.json",
-        kinds());
-    REQUIRE(sample);
-    return sample->creature.individual->genome;
+    return sample("biped");
 }
 
 // A bar that an arm of two links behind it pushes to the right at about 0.4 m/s. A careful one
@@ -103,6 +107,13 @@ TEST_CASE("a pusher that stops at the cube beats a sitter, and one that goes on 
     CHECK(contest_result(punter(true), {sitter()}) >= 1.5);
     CHECK(contest_result(sitter(), {punter(true)}) <= 0.5);
     CHECK(contest_result(punter(false), {sitter()}) < 1.2);
+}
+
+TEST_CASE("the sample of a contestant takes the cube from a sitter and from a walker",
+          "[goals][competition]") {
+    const GenomePtr contestant = sample("porter");
+    CHECK(contest_result(contestant, {sitter()}) >= 1.5);
+    CHECK(contest_result(contestant, {pusher()}) >= 1.4);
 }
 
 TEST_CASE("a sitter draws against itself, from the same distance", "[goals][competition]") {
