@@ -43,7 +43,7 @@ int draw_gate(RandomStream& stream) {
 }  // namespace
 
 int draw_mutation_count(const MutationSettings& settings, RandomStream& stream) {
-    if (settings.scheme == "none" || !(settings.rate > 0.0)) return 0;
+    if (!settings.mutates()) return 0;
     const double whole = std::floor(settings.rate);
     int draws = static_cast<int>(std::fmin(whole, kMaxCount));
     if (whole < settings.rate && stream.chance(settings.rate - whole)) ++draws;

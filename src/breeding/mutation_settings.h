@@ -18,6 +18,9 @@ struct MutationSettings {
     // and a later mutation may connect them.
     bool remove_disconnected_neurons = false;
 
+    // Whether offspring mutate at all.
+    bool mutates() const { return scheme != "none" && rate > 0.0; }
+
     friend bool operator==(const MutationSettings&, const MutationSettings&) = default;
 };
 

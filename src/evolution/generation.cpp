@@ -194,8 +194,8 @@ std::vector<IndividualPtr> next_generation(std::span<const IndividualPtr> ranked
     const std::size_t children = selected.first_parents.size();
     const std::vector<const BreedingKind*> methods = assign_methods(context, children);
     RandomStream tuning = context.stream(kTuningStream, Purpose::kSelection);
-    const auto tuned =
-        draw_tuned_parents(ranked, selected.survivors, children, settings.population.tuned, tuning);
+    const double share = settings.mutation.mutates() ? settings.population.tuned : 0.0;
+    const auto tuned = draw_tuned_parents(ranked, selected.survivors, children, share, tuning);
     for (std::size_t child = 0; child < children; ++child) {
         next.push_back(tuned[child] ? breed_tuned_child(context, child, *tuned[child])
                                     : breed_child(context, child, selected.first_parents[child],

@@ -19,6 +19,8 @@ constexpr int kGenerations = test::by_build(30, 11);
 std::shared_ptr<ExperimentSettings> short_walks(int size) {
     auto settings = std::make_shared<ExperimentSettings>();
     settings->population.size = size;
+    settings->population.tuned = 0.0;  // tuned copies of the best have nearly always a chance
+    settings->founders.rhythmic_share = 0.0;
     settings->seed = 11;
     settings->world.trial.duration = 5.0;
     return settings;

@@ -17,6 +17,7 @@ SettingsPtr settings() {
     auto made = std::make_shared<ExperimentSettings>();
     made->seed = 31;
     made->population.size = 20;
+    made->population.tuned = 0.0;
     made->world.trial.duration = kTrialOfRun;
     made->founders = all_joints();
     return made;

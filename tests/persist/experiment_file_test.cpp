@@ -418,7 +418,7 @@ TEST_CASE("a champion is read without the rest of its experiment", "[persist][ex
 
 TEST_CASE("whatever is wrong inside an experiment is one message", "[persist][experiment_file]") {
     const auto [sql, words] = GENERATE(table<std::string, std::string>({
-        {"PRAGMA user_version = 99", "its version 99 is newer than this program (3)"},
+        {"PRAGMA user_version = 99", "its version 99 is newer than this program (4)"},
         {"PRAGMA user_version = 0", "its version 0 never existed"},
         {"DROP TABLE novel", "table \"novel\" is missing"},
         {"ALTER TABLE novel ADD COLUMN more", "table \"novel\" has other columns"},

@@ -100,6 +100,17 @@ TEST_CASE("lines and body plans that an older version did not tell are filled in
         CHECK(generation.best_lowest == generation.best);
 }
 
+TEST_CASE("an experiment of an older version goes on with the breeding and founders of then",
+          "[persist][older_versions]") {
+    const TemporaryDirectory folder;
+    std::filesystem::copy(kVersions / "1" / "run.cambrian", folder / "run.cambrian");
+    const auto saved = load_experiment(folder / "run.cambrian", kinds());
+    REQUIRE(saved);
+    CHECK(saved->latest->settings->population.tuned == 0.0);
+    CHECK(saved->latest->settings->founders.rhythmic_share == 0.0);
+    CHECK(saved->latest->settings->population.size == 8);
+}
+
 TEST_CASE("an experiment tells scores of another simulator until everyone was judged again",
           "[persist][older_versions]") {
     const std::string current(kSimulatorVersion);

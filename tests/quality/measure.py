@@ -20,6 +20,7 @@ PRESETS = HERE.parents[1] / "assets" / "settings"
 WORLDS = {path.stem: path for path in [PRESETS / "walking.toml", PRESETS / "swimming.toml",
                                        PRESETS / "jumping.toml",
                                        *sorted((HERE / "worlds").glob("*.toml"))]}
+DEFAULTS = "tuned"  # the arm whose settings are the defaults
 BEST_PADDLER = 0.497  # BL/s, an engineered pair of two-segment paddles in the preset's water
 
 
@@ -57,28 +58,28 @@ class Table:
 
 
 def judge_strength(table, rows, random, worlds):
-    ratios = [ratio(rows, world, "many-lines", "one-line") for world in worlds]
+    ratios = [ratio(rows, world, DEFAULTS, "one-line") for world in worlds]
     mean = math.exp(statistics.fmean(math.log(max(each, 1e-9)) for each in ratios))
     found = f"{mean:.2f}; " + ", ".join(f"{world} {each:.2f}"
                                         for world, each in zip(worlds, ratios))
     table.add("best, confirmed, against one-line: geometric mean, each world", found,
               "≥ 1.5, no world below 1", mean >= 1.5 and min(ratios) >= 1)
-    ratios = [ratio(random, world, "many-lines", "random-search") for world in worlds]
+    ratios = [ratio(random, world, DEFAULTS, "random-search") for world in worlds]
     table.add("best against random search", ", ".join(
         f"{world} {each:.1f}" for world, each in zip(worlds, ratios)), "≥ 4 each",
               min(ratios) >= 4)
     for world in worlds:
-        scores = of(rows, world, "many-lines")
+        scores = of(rows, world, DEFAULTS)
         worst = min(scores) / max(statistics.median(scores), 1e-9)
         table.add(f"{world}: worst seed against the median", f"{worst:.2f}", "≥ 0.6", worst >= 0.6)
 
 
 def judge_anchors(table, rows, worlds):
     if "jumping" in worlds:
-        height = statistics.median(of(rows, "jumping", "many-lines", "jump_height"))
+        height = statistics.median(of(rows, "jumping", DEFAULTS, "jump_height"))
         table.add("jumping: v²/2g at take-off", f"{height:.3f} m", "≥ 0.35 m", height >= 0.35)
     if "swimming" in worlds:
-        scores = of(rows, "swimming", "many-lines")
+        scores = of(rows, "swimming", DEFAULTS)
         shares = [statistics.median(scores) / BEST_PADDLER, max(scores) / BEST_PADDLER]
         table.add("swimming against the engineered paddler: median, best seed",
                   f"{shares[0]:.2f}, {shares[1]:.2f}", "≥ 0.8, ≥ 1",
@@ -86,7 +87,7 @@ def judge_anchors(table, rows, worlds):
 
 
 def judge_merit(table, rows):
-    champions = [row for row in rows if row["arm"] == "many-lines"
+    champions = [row for row in rows if row["arm"] == DEFAULTS
                  and row["world"] in ("walking", "swimming", "jumping")]
     if not champions:
         return
@@ -103,7 +104,7 @@ def judge_merit(table, rows):
 def judge_lines(table, rows):
     for column, measure, least in [("lines", "founder lines among the survivors", 5),
                                    ("plans", "body plans among the best 20 survivors", 8)]:
-        values = [int(row[column]) for row in rows if row["arm"] == "many-lines"]
+        values = [int(row[column]) for row in rows if row["arm"] == DEFAULTS]
         found = f"{statistics.median(values):g}, least {min(values)}"
         table.add(f"{measure}: median of all runs", found, f"≥ {least}",
                   statistics.median(values) >= least)
@@ -112,7 +113,7 @@ def judge_lines(table, rows):
 def judge_haste(table, rows):
     """Returns the time saved compared with the same runs without early termination."""
     hasty = [row for row in rows if row["arm"] == "hasty"]
-    patient = [row for row in rows if row["arm"] == "many-lines"]
+    patient = [row for row in rows if row["arm"] == DEFAULTS]
     spent = [sum(1 - float(row["time_saved"]) for row in some) / len(some)
              for some in (hasty, patient)]
     audited = sum(int(row["audited"]) for row in hasty)
@@ -135,7 +136,7 @@ def main():
     options = parser.parse_args()
     for unknown in set(options.worlds) - set(WORLDS):
         sys.exit(f"unknown world {unknown}; known are {', '.join(WORLDS)}")
-    arms = [HERE / f"{arm}.toml" for arm in ["one-line", "many-lines", "hasty"]]
+    arms = [HERE / f"{arm}.toml" for arm in ["one-line", DEFAULTS, "hasty"]]
     rows = compare(options, "arms", options.trials, arms)
     random = compare(options, "random", options.random_trials, arms[1:2], "--random-search")
     table = Table()

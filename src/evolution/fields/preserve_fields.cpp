@@ -194,6 +194,7 @@ std::vector<SettingField> preserve_fields(const EvolutionKinds& kinds) {
 ExperimentSettings preserve_defaults(const EvolutionKinds& kinds) {
     ExperimentSettings settings;
     settings.world.environment = water();
+    settings.founders.rhythmic_share = 0.0;
     for (const OrganKind& organ : kinds.creature.organs.all()) {
         if (organ.eats) settings.founders.organs[organ.id] = true;
     }

@@ -21,7 +21,7 @@ struct PopulationSettings {
     double survival = 0.2;  // share that survives and breeds
     int max_clones = 1;     // survivors with the same phenotype
     int immigrants = 0;     // offspring places for random immigrants
-    double tuned = 0.0;     // share of the offspring that are tuned copies of the best of a line
+    double tuned = 0.4;     // share of the offspring that are tuned copies of the best of a line
     // Fills the places that given founders leave: "mutants" of them or "random" creatures.
     std::string fill = "mutants";
 
@@ -65,7 +65,7 @@ struct ExperimentSettings {
     SelectionSettings selection;
     BreedingSettings breeding;
     MutationSettings mutation;
-    FounderSettings founders;
+    FounderSettings founders = {.rhythmic_share = 0.5};
     ExpressionSettings expression;
     PreserveSettings preserve;  // only a preserve has other ones than the defaults
 

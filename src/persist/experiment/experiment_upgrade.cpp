@@ -41,8 +41,18 @@ void add_lines(Database& database) {
     database.execute("UPDATE generations SET best_lowest = best, best_highest = best");
 }
 
+// Version 3 did not tune offspring and had no rhythmic founders.
+void keep_old_breeding(Database& database) {
+    database.execute(
+        "UPDATE settings SET toml = toml || char(10) || '[population]' || char(10) "
+        "WHERE instr(toml, '[population]') = 0;"
+        "UPDATE settings SET toml = replace(toml, '[population]', "
+        "'[population]' || char(10) || 'tuned = 0.0' || char(10) || 'rhythmic = 0.0') "
+        "WHERE instr(toml, 'rhythmic') = 0");
+}
+
 // The steps: from version 1, from version 2, and so on.
-constexpr std::array kSteps = {name_simulators, add_lines};
+constexpr std::array kSteps = {name_simulators, add_lines, keep_old_breeding};
 static_assert(kSteps.size() + 1 == kExperimentVersion);
 
 }  // namespace

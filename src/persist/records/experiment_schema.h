@@ -17,7 +17,7 @@ inline constexpr std::int64_t kExperimentApplication = 0x43616d62;
 // The same of files of a preserve: "Camp".
 inline constexpr std::int64_t kPreserveApplication = 0x43616d70;
 // The version rises whenever a table changes; older files are upgraded step by step.
-inline constexpr std::int64_t kExperimentVersion = 3;
+inline constexpr std::int64_t kExperimentVersion = 4;
 // Limits the settings that are read and checked when an experiment is opened.
 inline constexpr std::int64_t kMostSettingsChanges = 5000;
 
