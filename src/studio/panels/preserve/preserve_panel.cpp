@@ -22,39 +22,37 @@ constexpr float kLineageHeight = 34.0F;
 void draw_additions(const FrameContext& frame, Requests& out) {
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - px(6));
     const bool any = !frame.viewer.playback.empty();
-    if (push_button("Add creature…", {.width = half,
-                                      .tooltip = "A creature file or a card joins the world where "
-                                                 "the view has its middle (Ctrl+O)"}))
+    if (push_button("Add creature…",
+                    {.width = half,
+                     .tooltip = "A creature file or a card joins the world where "
+                                "the view has its middle; the light pays (Ctrl+O)"}))
         out.ask(OpenFilePanel{FileTask::kOpen});
     ImGui::SameLine(0, px(6));
     if (push_button("Add the shown", {.width = half,
                                       .enabled = any,
                                       .tooltip = "A copy of the creature that the viewer displays "
-                                                 "joins the world (A)"}))
+                                                 "joins the world; the light pays (A)"}))
         out.ask(AddShown{});
-    muted_text("The light pays for every creature that is added.");
 }
 
-void draw_walls(const PreserveView& preserve, Requests& out) {
-    const float half = 0.5F * (ImGui::GetContentRegionAvail().x - px(6));
+void draw_tools(const PreserveView& preserve, Requests& out) {
+    const float third = (ImGui::GetContentRegionAvail().x - px(12)) / 3.0F;
     if (push_button("Draw a wall",
                     {.look = preserve.wall.on ? ButtonLook::kSelected : ButtonLook::kPlain,
-                     .width = half,
+                     .width = third,
                      .tooltip = "Drag in the world, or click both ends; W sets an end where the "
                                 "mouse points"}))
         out.ask(ToggleWalls{});
     ImGui::SameLine(0, px(6));
-    if (push_button("Erase a wall", {.width = half,
+    if (push_button("Erase a wall", {.width = third,
                                      .enabled = !preserve.picture.walls.empty(),
                                      .tooltip = "The wall in the middle of the view; with X the "
                                                 "one where the mouse points"}))
         out.ask(EraseWallThere{});
-}
-
-void draw_ring_switch(const PreserveView& preserve, Requests& out) {
+    ImGui::SameLine(0, px(6));
     if (push_button("Energy rings",
                     {.look = preserve.energy ? ButtonLook::kSelected : ButtonLook::kPlain,
-                     .width = ImGui::GetContentRegionAvail().x,
+                     .width = third,
                      .tooltip = "A ring around each creature shows its store. It is complete, and "
                                 "green, when that is enough to bear a child (R)"}))
         out.ask(ToggleEnergyRings{});
@@ -153,8 +151,7 @@ void draw_tabs(WorldList shown, Requests& out) {
 void PreservePanel::draw(const FrameContext& frame, Requests& out) {
     place_title("Preserve", "preserve", out);
     draw_additions(frame, out);
-    draw_walls(*frame.preserve, out);
-    draw_ring_switch(*frame.preserve, out);
+    draw_tools(*frame.preserve, out);
     draw_file(*frame.preserve, out);
     draw_tabs(frame.preserve->list, out);
     ImGui::BeginChild("world list", {0, 0}, false, ImGuiWindowFlags_NoBackground);
