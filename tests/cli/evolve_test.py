@@ -67,7 +67,7 @@ class Evolve(ProgramTest):
         report = self.run_well("evolve", "grown.toml", "-n", 12, "--json", "-o", "a.json").stdout
         champion = json.loads(report.splitlines()[-1])
         self.assertGreater(champion["born"], 0)
-        self.assertIn(champion["method"], ["asexual", "crossover", "grafting"])
+        self.assertIn(champion["method"], ["asexual", "crossover", "grafting", "tuning"])
         self.assertGreater(len(champion["parents"]), 0)
         self.assertGreater(len(champion["mutations"]), 0)
         for mutation in champion["mutations"]:
