@@ -25,10 +25,7 @@ constexpr int kJudgingWorlds = 10;
 constexpr double kJudgingJitter = 0.01;
 // Index that keeps their random streams apart from those of survivor selection.
 constexpr std::uint64_t kJudging = 1'000;
-constexpr double kFineTolerance = 1e-6;
-constexpr double kFineContactStep = 0.25;  // times the contact step of the settings
-constexpr double kFineWork = 100.0;  // most computing work, as a multiple of the usual trial's
-constexpr std::size_t kBest = 20;    // number of survivors whose body plans are counted
+constexpr std::size_t kBest = 20;  // number of survivors whose body plans are counted
 
 double confirmed_score(const GenomePtr& genome, ExperimentSettings settings,
                        const EvolutionKinds& kinds) {
@@ -39,15 +36,11 @@ double confirmed_score(const GenomePtr& genome, ExperimentSettings settings,
     return median(scores_in(probes, genome, settings, kinds));
 }
 
-double finer_score(const GenomePtr& genome, ExperimentSettings settings,
-                   const EvolutionKinds& kinds) {
-    SceneSettings& scene = settings.world.scene;
-    scene.integrator = kinds.creature.scene.accurate_integrator;
-    scene.tolerance = std::min(scene.tolerance, kFineTolerance);
-    scene.contact_step *= kFineContactStep;
-    scene.max_evaluations *= kFineWork;
+double accurate_score(const GenomePtr& genome, const ExperimentSettings& settings,
+                      const EvolutionKinds& kinds) {
     const EvaluationResult result =
-        evaluate_in_trials({.genome = genome, .trial_seed = trial_seed(settings)}, settings, kinds);
+        evaluate_in_trials({.genome = genome, .trial_seed = trial_seed(settings)},
+                           accurate_settings(settings, kinds), kinds);
     return result.outcome == Outcome::kCompleted ? result.fitness : 0.0;
 }
 
@@ -87,7 +80,7 @@ void note_end(ComparedRun& row, const Evolution& evolution, const Individual& ch
     row.score = champion.result.fitness;
     row.parts = champion.result.parts;
     row.confirmed = confirmed_score(champion.genome, settings, kinds);
-    row.finer = finer_score(champion.genome, settings, kinds);
+    row.finer = accurate_score(champion.genome, settings, kinds);
     row.jump_height = jump_height(champion.genome, settings, kinds);
     row.plans = plans_of_best(evolution, kinds);
     row.audited = evolution.termination_audit().finished;

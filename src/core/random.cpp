@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 namespace cambrian {
 namespace {
@@ -13,8 +14,6 @@ std::uint64_t split_mix(std::uint64_t& state) {
     mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111ebULL;
     return mixed ^ (mixed >> 31);
 }
-
-constexpr double kSqrt3 = 1.7320508075688772;
 
 }  // namespace
 
@@ -82,7 +81,7 @@ double RandomStream::gauss() {
     double sum = uniform();  // one per statement, since compilers evaluate operands in any order
     for (int i = 0; i < 3; ++i)
         sum += uniform();
-    return kSqrt3 * (sum - 2.0);
+    return std::numbers::sqrt3 * (sum - 2.0);
 }
 
 std::size_t RandomStream::weighted(std::span<const double> weights) {

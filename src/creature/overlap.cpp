@@ -7,7 +7,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kTouching = 1e-9;  // m
+constexpr double kTouchingGap = 1e-9;  // m
 
 // Returns whether an axis of the first box separates the two boxes.
 bool apart_along_axes(const PlannedPart& a, const PlannedPart& b) {
@@ -21,7 +21,7 @@ bool apart_along_axes(const PlannedPart& a, const PlannedPart& b) {
     const Vec3& half = b.half_extents;
     const double gap_x = x - a.half_extents.x() - along * half.x() - across * half.y();
     const double gap_y = y - a.half_extents.y() - across * half.x() - along * half.y();
-    return std::fmax(gap_x, gap_y) > -kTouching;
+    return std::fmax(gap_x, gap_y) > -kTouchingGap;
 }
 
 bool tied(const BodyPlan& plan, std::size_t a, std::size_t b) {

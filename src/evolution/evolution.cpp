@@ -124,9 +124,14 @@ IndividualPtr Evolution::confirmed_champion(EvaluationBackend& backend,
     const auto others = std::span(probes).last(kChampionWorlds);
     Confirmation confirmation;
     if (!confirmation.confirm(candidates, everybody, others,
-                              {backend, *settings_, progress, std::move(stop)}))
+                              {backend, *settings_, progress, stop}))
         return population_.front();
-    return candidates.front();
+    const ExperimentSettings accurate = accurate_settings(*settings_, *kinds_);
+    const auto champion =
+        std::find_if(candidates.begin(), candidates.end(), [&](const IndividualPtr& one) {
+            return is_accurate(*one, {backend, accurate, progress, stop});
+        });
+    return champion != candidates.end() ? *champion : candidates.front();
 }
 
 void Evolution::record_generation() {

@@ -43,9 +43,10 @@ public:
     bool evaluate(EvaluationBackend& backend, EvaluationProgress& progress,
                   const std::stop_token& stop);
 
-    // Returns the best of the survivors, confirmed in ten more slightly changed worlds. Without
-    // confirmation in the settings, or if stopped, it is the best by score. Must be called after
-    // evaluate().
+    // Returns the best of the survivors, confirmed in ten more slightly changed worlds, whose score
+    // an accurate computation (is_accurate()) changes by at most a tenth; if there is none, the
+    // best of them. Without confirmation in the settings, or if stopped, it is the best by score.
+    // Must be called after evaluate().
     IndividualPtr confirmed_champion(EvaluationBackend& backend, EvaluationProgress& progress,
                                      std::stop_token stop) const;
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace cambrian {
 namespace {
@@ -17,7 +18,6 @@ constexpr std::uint64_t kBitsOfOne = 0x3ff0000000000000ULL;
 constexpr double kSqrtHalf = 0x1.6a09e667f3bcdp-1;
 constexpr std::uint64_t kMantissaMask = 0x000fffffffffffffULL;
 constexpr int kExponentBias = 1023;
-constexpr double kSqrt3 = 1.7320508075688772;
 constexpr double kTanPi12 = 0.2679491924311227;
 
 // Returns 2^k for k in [-1022, 1023].
@@ -29,7 +29,7 @@ double power_of_two(int k) {
 // 0.268, where the Taylor series to t^27 is exact to the last bit.
 double arc_tangent_unit(double t) {
     const bool turned = t > kTanPi12;
-    if (turned) t = (t * kSqrt3 - 1.0) / (kSqrt3 + t);
+    if (turned) t = (t * std::numbers::sqrt3 - 1.0) / (std::numbers::sqrt3 + t);
     const double z = t * t;
     double series = 0.0;
     for (int n = 27; n >= 3; n -= 2)

@@ -179,3 +179,22 @@ TEST_CASE("the champion is the best of the survivors in ten more worlds",
     CHECK(plain.confirmed_champion(backend, progress, {}) == plain.population().front());
     CHECK_FALSE(tried_again(*plain.population().front()));
 }
+
+TEST_CASE("the champion keeps its score in an accurate computation", "[evolution][confirmation]") {
+    FakeBackend backend;
+    EvaluationProgress progress;
+    const Evolution evolution = evolved(of_twenty(), backend, 2);
+    const double best = evolution.population().front()->result.fitness;
+    const auto champion_if = [&](double share_of_best, double share_of_others) {
+        backend.under = [=](double fitness, const ExperimentSettings& settings) {
+            if (settings.world.scene.tolerance > 1e-6) return fitness;
+            return fitness * (fitness == best ? share_of_best : share_of_others);
+        };
+        return evolution.confirmed_champion(backend, progress, {})->result.fitness;
+    };
+    CHECK(champion_if(0.91, 1.0) == best);
+    CHECK(champion_if(1.09, 1.0) == best);
+    CHECK(champion_if(0.89, 0.91) < best);
+    CHECK(champion_if(1.11, 1.0) < best);
+    CHECK(champion_if(0.5, 0.5) == best);  // nobody keeps its score
+}

@@ -27,6 +27,9 @@ public:
     std::function<double(double fitness, const Probe&)> in_probe = [](double plain, const Probe&) {
         return plain;
     };
+    // Computes the fitness under the settings of the call.
+    std::function<double(double fitness, const ExperimentSettings&)> under =
+        [](double plain, const ExperimentSettings&) { return plain; };
     int stop_after = -1;   // evaluations in the next call; -1 for all
     int most_a_call = -1;  // evaluations in every call; -1 for all
     std::string failure;   // reported as the reason why it cannot continue; has no other effect
@@ -44,7 +47,7 @@ public:
             if (stop.stop_requested() || left == 0) return false;
             --left;
             EvaluationResult result;
-            result.fitness = fitness(*requests[i].genome);
+            result.fitness = under(fitness(*requests[i].genome), settings);
             if (requests[i].probe) result.fitness = in_probe(result.fitness, *requests[i].probe);
             result.phenotype = phenotype_of(*requests[i].genome, settings, kinds());
             results[i] = result;

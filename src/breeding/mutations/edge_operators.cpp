@@ -8,7 +8,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kReflectShare = 0.6;  // share of flag changes; the others toggle terminal-only
+constexpr double kReflectToggleShare = 0.6;  // share of flag changes; the others toggle terminal-only
 
 bool mutate_edge_scalar(Genome& genome, const MutationContext& /*context*/, RandomStream& stream,
                         MutationRecord& record) {
@@ -30,7 +30,7 @@ bool mutate_edge_flag(Genome& genome, const MutationContext& /*context*/, Random
     const auto sites = edge_sites(genome);
     if (sites.empty()) return false;
     const EdgeSite& site = stream.pick(sites);
-    const bool reflects = stream.chance(kReflectShare);
+    const bool reflects = stream.chance(kReflectToggleShare);
     bool& flag = reflects ? site.in(genome).reflect : site.in(genome).terminal_only;
     record.place = site.in_words() + (reflects ? " reflect" : " terminal only");
     record.from = flag ? "on" : "off";

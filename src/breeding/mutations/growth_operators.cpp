@@ -10,7 +10,7 @@ namespace cambrian {
 namespace {
 
 constexpr double kCopyShare = 0.5;  // share of new nodes that are copies; the others are random
-constexpr double kSecondLimbShare = 0.5;  // share of symmetric new nodes that get a second edge
+constexpr double kSecondEdgeShare = 0.5;  // share of symmetric new nodes that get a second edge
 constexpr double kKeepSourceShare = 0.7;  // share of new neurons that pass the old source on
 
 NodeGene new_node(const Genome& genome, const MutationContext& context, RandomStream& stream,
@@ -39,7 +39,7 @@ bool add_node(Genome& genome, const MutationContext& context, RandomStream& stre
     std::vector<EdgeGene>& edges = genome.nodes[parent].edges;
     const EdgeGene edge = random_edge(index, pool_of(context), stream);
     edges.push_back(edge);
-    const bool second = genome.nodes[index].symmetric && stream.chance(kSecondLimbShare);
+    const bool second = genome.nodes[index].symmetric && stream.chance(kSecondEdgeShare);
     if (second && edges.size() < gene_range::kMaxEdges) edges.push_back(edge);
     record.place = fmt::format("part {} new {}", parent, second ? "pair" : "child");
     return true;

@@ -8,10 +8,10 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kHexDigits = 16;
+constexpr std::size_t kHashDigits = 16;
 
 std::optional<std::uint64_t> id_of(std::string_view text) {
-    return text.size() == kHexDigits ? parse_hex(text) : std::nullopt;
+    return text.size() == kHashDigits ? parse_hex(text) : std::nullopt;
 }
 
 // Removes and returns the text before the next dot.

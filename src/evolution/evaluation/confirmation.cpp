@@ -4,11 +4,15 @@
 #include "evolution/evaluation/trials.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 
 namespace cambrian {
 namespace {
+
+// Greatest difference of an accurate score, relative to it.
+constexpr double kAccuracy = 0.1;
 
 // Returns whether another trial of the creature can change its score.
 bool unconfirmed(const EvaluationResult& result) {
@@ -16,6 +20,19 @@ bool unconfirmed(const EvaluationResult& result) {
 }
 
 }  // namespace
+
+bool is_accurate(const Individual& individual, const ConfirmingTrials& trials) {
+    const EvaluationRequest request{.genome = individual.genome,
+                                    .trial_seed = trial_seed(trials.settings),
+                                    .expected_work = individual.result.work};
+    std::optional<EvaluationResult> result;
+    if (!trials.backend.evaluate({&request, 1}, {&result, 1}, trials.settings, trials.progress,
+                                 trials.stop))
+        return false;
+    const double computed = result->outcome == Outcome::kCompleted ? result->fitness : 0.0;
+    const double score = individual.result.fitness;
+    return std::fabs(computed - score) <= kAccuracy * std::fabs(score);
+}
 
 bool Confirmation::confirm(std::vector<IndividualPtr>& ranked, const Survivors& survivors,
                            std::span<const Probe> probes, const ConfirmingTrials& trials) {

@@ -27,6 +27,11 @@ struct ConfirmingTrials {
     std::stop_token stop;
 };
 
+// Returns whether the creature's score differs from that of the trials by at most a tenth. The
+// trials' settings are those of an accurate computation (accurate_settings()). Returns false if
+// stopped.
+bool is_accurate(const Individual& individual, const ConfirmingTrials& trials);
+
 class Confirmation {
 public:
     // The survivors of a ranking, as indices into it.

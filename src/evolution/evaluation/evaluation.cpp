@@ -15,7 +15,7 @@ namespace cambrian {
 namespace {
 
 // Limit for the work of a repetition, as a multiple of the suspect trial's.
-constexpr std::uint64_t kFinerWork = 10;
+constexpr std::uint64_t kSuspectWork = 10;
 constexpr double kSuspectPenalty = 2.0;  // divides the score, simulator/README.md 4
 
 EvaluationResult describe(const Phenotype& phenotype, const ExperimentSettings& settings) {
@@ -146,7 +146,7 @@ JudgedTrial judge_trial(const EvaluationRequest& request, const ExperimentSettin
     result.reason = record->reason;
     result.audit = record->audit;
     result.verdict = judge(*record);
-    if (result.verdict == AuditVerdict::kSuspect) result.work *= kFinerWork;
+    if (result.verdict == AuditVerdict::kSuspect) result.work *= kSuspectWork;
     result.behavior = behavior_of(*phenotype, *record);
     Marks marks = marks_of(*record, goal, settings.world.trial);
     result.fitness = marks.score;

@@ -10,6 +10,9 @@
 namespace cambrian {
 namespace {
 
+constexpr double kAccurateTolerance = 1e-6;
+constexpr double kAccurateContactStep = 0.25;  // times the contact step of the settings
+constexpr double kAccurateWork = 100.0;  // most computing work, as a multiple of the usual trial's
 constexpr int kHeldOutTrials = 8;
 constexpr std::uint64_t kHeldOut =
     103;  // separates their random streams from those of all generations
@@ -115,6 +118,17 @@ double held_out_score(const GenomePtr& genome, const ExperimentSettings& setting
     const EvaluationResult result =
         evaluate_in_trials({.genome = genome, .trial_seed = seed}, held_out, kinds, stop);
     return result.outcome == Outcome::kCompleted ? result.fitness : 0.0;
+}
+
+ExperimentSettings accurate_settings(const ExperimentSettings& settings,
+                                     const EvolutionKinds& kinds) {
+    ExperimentSettings accurate = settings;
+    SceneSettings& scene = accurate.world.scene;
+    scene.integrator = kinds.creature.scene.accurate_integrator;
+    scene.tolerance = std::min(scene.tolerance, kAccurateTolerance);
+    scene.contact_step *= kAccurateContactStep;
+    scene.max_evaluations *= kAccurateWork;
+    return accurate;
 }
 
 std::vector<double> scores_in(std::span<const Probe> probes, const GenomePtr& genome,

@@ -38,6 +38,11 @@ EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
 double held_out_score(const GenomePtr& genome, const ExperimentSettings& settings,
                       const EvolutionKinds& kinds, const std::stop_token& stop = {});
 
+// Returns the settings with an accurate integrator, a tolerance of 1e-6 and a quarter of the
+// contact step.
+ExperimentSettings accurate_settings(const ExperimentSettings& settings,
+                                     const EvolutionKinds& kinds);
+
 // The creature's score in each probe's world; 0 for a trial that fails.
 std::vector<double> scores_in(std::span<const Probe> probes, const GenomePtr& genome,
                               const ExperimentSettings& settings, const EvolutionKinds& kinds,

@@ -12,7 +12,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kLeastWeight = 0.1;
+constexpr double kLeastShare = 0.1;
 
 bool takes_over(const Individual& challenger, const Individual& holder) {
     if (challenger.result.fitness != holder.result.fitness)
@@ -48,7 +48,7 @@ SelectionResult select_by_map(std::span<const IndividualPtr> ranked,
     std::vector<double> weights(ranked.size(), 0.0);
     for (const std::size_t elite : elites) {
         const double fitness = std::max(ranked[elite]->result.fitness, 0.0);
-        weights[elite] = kLeastWeight + (best > 0.0 ? fitness / best : 0.0);
+        weights[elite] = kLeastShare + (best > 0.0 ? fitness / best : 0.0);
     }
     return breed_whole_batch(std::move(elites), std::move(weights), settings, stream);
 }

@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-std::optional<std::size_t> greatest(const std::vector<double>& measures) {
+std::optional<std::size_t> index_of_greatest(const std::vector<double>& measures) {
     const auto most = std::max_element(measures.begin(), measures.end());
     if (most == measures.end() || !(*most > 0.0)) return std::nullopt;
     return static_cast<std::size_t>(most - measures.begin());
@@ -30,7 +30,7 @@ GridHints grid_hints(std::span<const IndividualPtr> creatures) {
             sum += distance(descriptors[i], other);
         oddities.push_back(sum);
     }
-    return {greatest(travels), greatest(heights), greatest(oddities)};
+    return {index_of_greatest(travels), index_of_greatest(heights), index_of_greatest(oddities)};
 }
 
 }  // namespace cambrian
