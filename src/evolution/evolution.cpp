@@ -123,8 +123,7 @@ IndividualPtr Evolution::confirmed_champion(EvaluationBackend& backend,
         probes_of(*settings_, generation_, settings_->selection.confirmations + kChampionWorlds);
     const auto others = std::span(probes).last(kChampionWorlds);
     Confirmation confirmation;
-    if (!confirmation.confirm(candidates, everybody, others,
-                              {backend, *settings_, progress, stop}))
+    if (!confirmation.confirm(candidates, everybody, others, {backend, *settings_, progress, stop}))
         return population_.front();
     const ExperimentSettings accurate = accurate_settings(*settings_, *kinds_);
     const auto champion =
@@ -191,30 +190,28 @@ bool Evolution::score_as_known(std::size_t slot, std::uint64_t phenotype) {
 }
 
 std::optional<TerminationThreshold> Evolution::threshold_for(const Individual& individual) const {
-    if (!settings_->terminate_early || !least_survivor_ || !termination_audit_.trustworthy())
-        return {};
+    if (!settings_->terminate_early || !termination_audit_.trustworthy()) return {};
+    const std::uint64_t plan = plan_of(*individual.genome, *settings_, *kinds_);
+    const std::optional<double> least = survival_thresholds_.of(individual.line, plan);
+    if (!least) return {};
     const bool drawn = individual.uid % kAuditedOneIn == 0;
-    return TerminationThreshold{.score = *least_survivor_,
-                                .audited = drawn || !termination_audit_.proven()};
+    return TerminationThreshold{.score = *least, .audited = drawn || !termination_audit_.proven()};
 }
 
-// Computes the score that a creature of the next generation needs to survive, as far as it is
+// Computes the scores that creatures of the next generation need to survive, as far as they are
 // known. It also counts audited trials that survived although they would have been terminated.
-void Evolution::update_threshold(const std::vector<IndividualPtr>& next) {
-    least_survivor_.reset();
-    const double share = termination_share(*kinds_->selections.find(settings_->selection.method),
-                                           settings_->selection);
+void Evolution::update_thresholds(const std::vector<IndividualPtr>& next) {
+    std::vector<IndividualPtr> survivors;
     for (const IndividualPtr& individual : next) {
         if (!individual->evaluated) continue;
         if (individual->born + 1 == generation_ && individual->result.terminable)
             ++termination_audit_.survived;
-        least_survivor_ = std::fmin(least_survivor_.value_or(individual->result.fitness),
-                                    individual->result.fitness);
+        survivors.push_back(individual);
     }
-    if (share > 0.0 && least_survivor_ && !scores_outdated_) {
-        *least_survivor_ *= share;
-    } else {
-        least_survivor_.reset();
+    survival_thresholds_ = {};
+    if (!scores_outdated_) {
+        survival_thresholds_ = SurvivalThresholds(
+            survivors, *settings_, *kinds_->selections.find(settings_->selection.method));
     }
 }
 
@@ -237,7 +234,7 @@ void Evolution::breed() {
     immigrant_share_ = 0.0;
     std::vector<IndividualPtr> next =
         next_generation(population_, present, *kinds_, generation_, memory_);
-    update_threshold(next);
+    update_thresholds(next);
     known_scores_ = 0;
     remember_scores();
     if (scores_outdated_) {
@@ -313,7 +310,7 @@ void Evolution::rescore() {
     forget_plan();
     memory_ = {};
     judged_anew_ = true;
-    least_survivor_.reset();
+    survival_thresholds_ = {};
     known_scores_ = 0;
     known_results_.clear();
     if (evaluated_) {

@@ -7,6 +7,7 @@
 #include "evolution/evaluation/evaluation_backend.h"
 #include "evolution/individual/statistics.h"
 #include "evolution/kinds/evolution_kinds.h"
+#include "evolution/selections/survival_thresholds.h"
 
 #include <cstdint>
 #include <map>
@@ -81,7 +82,7 @@ private:
     void plan_evaluations();
     std::vector<std::size_t> survivors_of(std::span<const IndividualPtr> ranked) const;
     std::optional<TerminationThreshold> threshold_for(const Individual& individual) const;
-    void update_threshold(const std::vector<IndividualPtr>& next);
+    void update_thresholds(const std::vector<IndividualPtr>& next);
     void forget_plan();
     void renew_chance();
     void take_settings(SettingsPtr settings);
@@ -107,7 +108,7 @@ private:
     double immigrant_share_ = 0.0;
     std::vector<GenerationStatistics> history_;
 
-    std::optional<double> least_survivor_;  // fitness that may suffice to survive, if known
+    SurvivalThresholds survival_thresholds_;
     TerminationAudit termination_audit_;
     std::vector<GenomePtr> champions_;  // the best of each generation before this one
     // Generation for which opponents were drawn last.

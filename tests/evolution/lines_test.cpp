@@ -65,16 +65,19 @@ TEST_CASE("limits do not make failures survive", "[evolution][lines]") {
     CHECK(truncated(ranked, half_of_ten()) == Kept{0, 1, 2, 3, 4});
 }
 
-TEST_CASE("giving trials up keeps a distance where lines and plans are limited",
+TEST_CASE("limits hold among creatures whose trial was terminated early, which survive last",
           "[evolution][lines]") {
-    const SelectionKind& truncation = *kinds().selections.find("truncation");
-    SelectionSettings settings;
-    CHECK(termination_share(truncation, settings) == 0.5);
-    settings.line_share = 1.0;
-    CHECK(termination_share(truncation, settings) == 0.5);
-    settings.plan_copies = 0;
-    CHECK(termination_share(truncation, settings) == 1.0);
-    CHECK(termination_share(*kinds().selections.find("map-elites"), settings) == 0.0);
+    auto ranked = ranking({1, 1, 1, 2, 2, 3, 3, 4, 4, 5}, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
+    const auto terminate = [&](std::size_t place) {
+        Individual terminated = *ranked[place];
+        terminated.result.outcome = Outcome::kStoppedEarly;
+        ranked[place] = std::make_shared<const Individual>(terminated);
+    };
+    terminate(1);
+    CHECK(truncated(ranked, half_of_ten()) == Kept{0, 2, 3, 4, 5});
+    for (std::size_t place = 2; place < ranked.size(); ++place)
+        terminate(place);
+    CHECK(truncated(ranked, half_of_ten()) == Kept{0, 1, 2, 3, 4});
 }
 
 TEST_CASE("a child belongs to its mother's line, founders and random immigrants begin their own",

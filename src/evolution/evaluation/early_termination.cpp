@@ -8,7 +8,10 @@
 namespace cambrian {
 namespace {
 
-constexpr double kMoment = 0.5;  // share of the trial after which the score is estimated
+// Shares of the trial after which the score is estimated.
+constexpr std::array<double, 6> kMoments = {0.3, 0.4, 0.5, 0.6, 0.7, 0.8};
+constexpr double kLeastTime = 4.5;  // s, before which a slow gait may not have shown its best speed
+constexpr double kAhead = 0.5;      // s; a part that lags by half a stride may catch up at any time
 constexpr double kSpeedUp = 1.5;
 constexpr double kSamplePeriod = kTicksPerSample * kBrainTick;  // s
 constexpr std::size_t kSecond = 10;                             // samples
@@ -27,7 +30,8 @@ double best_speed(const TrialRecord& record) {
     return best;
 }
 
-// Returns the record that the trial would have if the creature continued with the given velocity.
+// Returns the record that the trial would have if the creature continued with the given velocity
+// from where it would be in half a second.
 TrialRecord ran_on(TrialRecord record, const Vec3& velocity) {
     const MotionSample last = record.samples.back();
     for (double time = kBrainTick; time < record.duration - last.time; time += kBrainTick) {
@@ -37,7 +41,7 @@ TrialRecord ran_on(TrialRecord record, const Vec3& velocity) {
     while (record.samples.back().time < record.duration) {
         MotionSample next = last;
         next.time = std::min(record.samples.back().time + kSamplePeriod, record.duration);
-        const Vec3 moved = (next.time - last.time) * velocity;
+        const Vec3 moved = (next.time - last.time + kAhead) * velocity;
         next.center_of_mass += moved;
         next.bounds.low += moved;
         next.bounds.high += moved;
@@ -46,22 +50,23 @@ TrialRecord ran_on(TrialRecord record, const Vec3& velocity) {
     return record;
 }
 
-// Returns the directions for the rest of the trial: right, left, up and that of the motion so far.
-std::array<Vec3, 4> promising_directions(const TrialRecord& record) {
+// Returns the directions for the rest of the trial: that of the motion so far, right, left, up, and
+// none.
+std::array<Vec3, 5> promising_directions(const TrialRecord& record) {
     const Vec3 way = record.samples.back().center_of_mass - record.samples.front().center_of_mass;
     const double length = way.norm();
     const Vec3 on = length > 0.0 ? Vec3(way / length) : Vec3::Zero();
-    return {Vec3(1.0, 0.0, 0.0), Vec3(-1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0), on};
+    return {on, Vec3(1.0, 0.0, 0.0), Vec3(-1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0), Vec3::Zero()};
 }
 
 }  // namespace
 
-double most_still_possible(const TrialRecord& so_far, const GoalKind& goal) {
+bool may_exceed(double threshold, const TrialRecord& so_far, const GoalKind& goal) {
     const double speed = kSpeedUp * best_speed(so_far);
-    double most = goal.score(ran_on(so_far, Vec3::Zero())).value;
-    for (const Vec3& direction : promising_directions(so_far))
-        most = std::max(most, goal.score(ran_on(so_far, speed * direction)).value);
-    return most;
+    const auto directions = promising_directions(so_far);
+    return std::any_of(directions.begin(), directions.end(), [&](const Vec3& direction) {
+        return goal.score(ran_on(so_far, speed * direction)).value > threshold;
+    });
 }
 
 Result<TerminableTrial> run_terminable_trial(std::shared_ptr<const Phenotype> phenotype,
@@ -70,13 +75,16 @@ Result<TerminableTrial> run_terminable_trial(std::shared_ptr<const Phenotype> ph
     auto trial = Trial::start(std::move(phenotype), kinds, world);
     if (!trial) return trial.error();
     TerminableTrial result;
-    bool weighed = !ends.threshold;
+    std::size_t estimates = ends.threshold ? 0 : kMoments.size();
     while ((*trial)->tick()) {
         (*trial)->poll_cancel(ends.stop);
-        if (weighed || (*trial)->time() < kMoment * world.trial.duration) continue;
-        weighed = true;
-        result.terminable =
-            most_still_possible((*trial)->record(), ends.goal) <= ends.threshold->score;
+        const double time = (*trial)->time();
+        if (estimates == kMoments.size() || result.terminable ||
+            time < kMoments[estimates] * world.trial.duration)
+            continue;
+        ++estimates;
+        if (time < kLeastTime) continue;
+        result.terminable = !may_exceed(ends.threshold->score, (*trial)->record(), ends.goal);
         if (!result.terminable || ends.threshold->audited) continue;
         (*trial)->stop_early(Outcome::kStoppedEarly, "could not survive any more");
         break;

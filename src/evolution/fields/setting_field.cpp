@@ -42,7 +42,7 @@ void add_run(std::vector<SettingField>& fields) {
         [](Settings & s) -> auto& { return s.target_fitness; });
     run.flag(
         "stop-hopeless", "Early termination",
-        "A trial ends halfway if the creature could not survive even at 1.5 times its best speed. "
+        "A trial ends as soon as the creature could not survive even at 1.5 times its best speed. "
         "The first 30 such trials and 10 % of the later ones run to their end, to check the rule.",
         [](Settings & s) -> auto& { return s.terminate_early; });
 }
@@ -321,7 +321,7 @@ Status check_early_termination(const Settings& s, const EvolutionKinds& kinds) {
                         s.goal)};
     }
     const SelectionKind* selection = kinds.selections.find(s.selection.method);
-    if (selection != nullptr && !(termination_share(*selection, s.selection) > 0.0)) {
+    if (selection != nullptr && !may_terminate_early(*selection, s.selection)) {
         return Error{fmt::format(
             "[run] stop-hopeless: not with [selection] method \"{}\", where the least fit may "
             "matter; allowed with truncation, rank and tournaments of survivors",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace cambrian {
 namespace {
@@ -19,33 +20,16 @@ SelectionResult breed(std::size_t places, std::vector<std::size_t> survivors,
     return result;
 }
 
-constexpr double kShareWithLimits = 0.5;
-constexpr std::size_t kNoLimit = static_cast<std::size_t>(-1);
-
-struct Limits {
-    std::size_t line = kNoLimit;  // largest number of creatures of one founder's line
-    std::size_t plan = kNoLimit;  // largest number of creatures of one body plan
-};
-
-Limits limits_of(const SelectionSettings& settings, std::size_t wanted) {
-    Limits limits;
-    if (settings.line_share < 1.0) {
-        const auto share = std::lround(settings.line_share * static_cast<double>(wanted));
-        limits.line = static_cast<std::size_t>(std::max(1L, share));
-    }
-    if (settings.plan_copies > 0) limits.plan = static_cast<std::size_t>(settings.plan_copies);
-    return limits;
-}
-
 // The survivors' places, which are given to one creature after another.
 class Seats {
 public:
     Seats(std::span<const IndividualPtr> ranked, std::size_t wanted, int max_clones)
         : ranked_(ranked), wanted_(wanted), max_clones_(max_clones), taken_(ranked.size(), false) {}
 
-    // Gives places to the first `count` of the ranking, as far as limits and places allow.
-    void seat(std::size_t count, const Limits& limits) {
-        for (std::size_t i = 0; i < count && seated_ < wanted_; ++i) {
+    // Gives places to these of the ranking, in their order, as far as limits and places allow.
+    void seat(std::span<const std::size_t> candidates, const SurvivalLimits& limits) {
+        for (const std::size_t i : candidates) {
+            if (seated_ == wanted_) return;
             if (!taken_[i]) seat_one(i, limits);
         }
     }
@@ -59,12 +43,16 @@ public:
     }
 
 private:
-    void seat_one(std::size_t place, const Limits& limits) {
+    static bool reaches(std::size_t count, std::optional<std::size_t> limit) {
+        return limit && count >= *limit;
+    }
+    void seat_one(std::size_t place, const SurvivalLimits& limits) {
         const Individual& one = *ranked_[place];
         int& clones = clones_[one.result.phenotype];
         std::size_t& line = of_line_[one.line];
         std::size_t& plan = of_plan_[one.result.plan];
-        if (clones == max_clones_ || line >= limits.line || plan >= limits.plan) return;
+        if (clones == max_clones_ || reaches(line, limits.line) || reaches(plan, limits.plan))
+            return;
         ++clones;
         ++line;
         ++plan;
@@ -82,12 +70,22 @@ private:
     std::map<std::uint64_t, std::size_t> of_plan_;
 };
 
-// Returns the number of creatures that finished a trial; they come first in the ranking.
-std::size_t completed(std::span<const IndividualPtr> ranked) {
-    const auto end = std::find_if(ranked.begin(), ranked.end(), [](const IndividualPtr& one) {
-        return one->result.outcome != Outcome::kCompleted;
-    });
-    return static_cast<std::size_t>(end - ranked.begin());
+std::vector<std::size_t> everybody(std::span<const IndividualPtr> ranked) {
+    std::vector<std::size_t> places(ranked.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    return places;
+}
+
+// Returns the creatures that finished a trial. They come before those that failed; between them are
+// creatures whose trial was terminated early, with the score of its beginning.
+std::vector<std::size_t> finished(std::span<const IndividualPtr> ranked) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < ranked.size(); ++i) {
+        const Outcome outcome = ranked[i]->result.outcome;
+        if (outcome == Outcome::kCompleted) places.push_back(i);
+        if (outcome != Outcome::kCompleted && outcome != Outcome::kStoppedEarly) break;
+    }
+    return places;
 }
 
 }  // namespace
@@ -95,7 +93,7 @@ std::size_t completed(std::span<const IndividualPtr> ranked) {
 std::vector<std::size_t> first_of_ranking(std::span<const IndividualPtr> ranked, std::size_t wanted,
                                           int max_clones) {
     Seats seats(ranked, wanted, max_clones);
-    seats.seat(ranked.size(), {});
+    seats.seat(everybody(ranked), {});
     return seats.survivors();
 }
 
@@ -107,12 +105,13 @@ std::size_t truncated_size(const PopulationSettings& population) {
 std::vector<std::size_t> truncated(std::span<const IndividualPtr> ranked,
                                    const ExperimentSettings& settings) {
     const std::size_t wanted = truncated_size(settings.population);
-    const Limits limits = limits_of(settings.selection, wanted);
+    const SurvivalLimits limits = survival_limits(settings);
     Seats seats(ranked, wanted, settings.population.max_clones);
-    const std::size_t finished = completed(ranked);
-    seats.seat(finished, limits);
-    seats.seat(finished, {.line = limits.line});
-    seats.seat(ranked.size(), {});
+    const std::vector<std::size_t> candidates = finished(ranked);
+    seats.seat(candidates, limits);
+    seats.seat(candidates, {.line = limits.line});
+    seats.seat(candidates, {});
+    seats.seat(everybody(ranked), {});
     return seats.survivors();
 }
 
@@ -120,10 +119,20 @@ SurvivalRule best_share(const SelectionSettings& /*settings*/) {
     return SurvivalRule::kBestShare;
 }
 
-double termination_share(const SelectionKind& kind, const SelectionSettings& settings) {
-    if (kind.survival_under(settings) != SurvivalRule::kBestShare) return 0.0;
-    const bool limited = settings.line_share < 1.0 || settings.plan_copies > 0;
-    return limited ? kShareWithLimits : 1.0;
+SurvivalLimits survival_limits(const ExperimentSettings& settings) {
+    const SelectionSettings& selection = settings.selection;
+    SurvivalLimits limits;
+    if (selection.line_share < 1.0) {
+        const auto wanted = static_cast<double>(truncated_size(settings.population));
+        const auto share = std::lround(selection.line_share * wanted);
+        limits.line = static_cast<std::size_t>(std::max(1L, share));
+    }
+    if (selection.plan_copies > 0) limits.plan = static_cast<std::size_t>(selection.plan_copies);
+    return limits;
+}
+
+bool may_terminate_early(const SelectionKind& kind, const SelectionSettings& settings) {
+    return kind.survival_under(settings) == SurvivalRule::kBestShare;
 }
 
 std::span<const IndividualPtr> qualified(std::span<const IndividualPtr> ranked) {

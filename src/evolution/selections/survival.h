@@ -6,6 +6,7 @@
 #include "evolution/selections/selection.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,11 +29,16 @@ std::vector<std::size_t> truncated(std::span<const IndividualPtr> ranked,
 // Implements SelectionKind::survival for methods whose survivors are those of truncated().
 SurvivalRule best_share(const SelectionSettings& settings);
 
-// Returns the share of the worst survivor's score that a creature must reach to survive. A trial
-// that cannot reach it may end early. The share is 1 if creatures below the worst survivor have no
-// effect. It is less with limits on lines and plans, where that is only likely, and 0 if the least
-// fit may matter.
-double termination_share(const SelectionKind& kind, const SelectionSettings& settings);
+// The largest numbers of survivors of truncated() that are of one founder's line and of one body
+// plan, unless too few others have a score. Nothing means that there is no limit.
+struct SurvivalLimits {
+    std::optional<std::size_t> line = std::nullopt;
+    std::optional<std::size_t> plan = std::nullopt;
+};
+SurvivalLimits survival_limits(const ExperimentSettings& settings);
+
+// Returns whether creatures below the survivors have no effect, so that their trials may end early.
+bool may_terminate_early(const SelectionKind& kind, const SelectionSettings& settings);
 
 // Returns the creatures that were not disqualified, which come first in the ranking; all creatures
 // if there are none.

@@ -1,0 +1,46 @@
+#pragma once
+
+// The scores that offspring need to survive, for early termination (evolution/README.md 4). They
+// depend on founder line and body plan, since the survivors of both are limited.
+
+#include "evolution/selections/selection.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace cambrian {
+
+class SurvivalThresholds {
+public:
+    // Knows no score.
+    SurvivalThresholds() = default;
+    // The survivors have scores and remain in the population. No score is known if there are none,
+    // or if the selection can let a creature survive or breed that is worse than all of them.
+    SurvivalThresholds(std::span<const IndividualPtr> survivors, const ExperimentSettings& settings,
+                       const SelectionKind& selection);
+
+    // Returns the score that an offspring of the line and the body plan needs at least, if known. A
+    // creature below it survives only if others lose their places in an unusual order.
+    std::optional<double> of(std::uint64_t line, std::uint64_t plan) const;
+
+private:
+    void count(std::span<const IndividualPtr> survivors);
+    bool within_limits() const;
+
+    // The scores of some survivors, highest first.
+    using Scores = std::vector<double>;
+
+    std::optional<double> base_;
+    std::size_t most_of_line_ = 0;  // largest numbers of survivors
+    std::size_t most_of_plan_ = 0;
+    std::map<std::uint64_t, Scores> of_line_;
+    std::map<std::pair<std::uint64_t, std::uint64_t>, Scores> of_line_and_plan_;
+    std::map<std::uint64_t, std::size_t> of_plan_;
+};
+
+}  // namespace cambrian
