@@ -85,6 +85,10 @@ FounderSettings big_founders() {
     return sizes;
 }
 
+void move_joints(Settings& settings, double speed_limit) {
+    settings.world.scene.motor_speed_limit = speed_limit;
+}
+
 void allow_sensors(Settings& settings, const EvolutionKinds& kinds,
                    bool (*wanted)(const SensorKind& sensor)) {
     for (const SensorKind& sensor : kinds.creature.sensors.all()) {
@@ -97,6 +101,7 @@ constexpr double kMoonGravity = 1.62;
 
 constexpr std::string_view kEnvironment = "environment";
 constexpr std::string_view kMutation = "mutation";
+constexpr std::string_view kSimulation = "simulation";
 constexpr std::string_view kTrial = "trial";
 constexpr std::string_view kBody = "body";
 constexpr std::string_view kSensors = "body.sensors";
@@ -129,6 +134,15 @@ constexpr std::array kPresets = {
     SettingPreset{
         kMutation, "Reshape", "Brains change a third as often, so that new bodies are found.",
         [](Settings& s, const EvolutionKinds& kinds) { weigh_mutations(s, kinds, 1.0, 3.0); }},
+    SettingPreset{kSimulation, "Usual muscles", "Muscles move joints at up to 6 rad/s.",
+                  [](Settings& s, const EvolutionKinds&) {
+                      move_joints(s, SceneSettings{}.motor_speed_limit);
+                  }},
+    SettingPreset{
+        kSimulation, "Quick muscles",
+        "Muscles move joints at up to 20 rad/s, with which creatures jump more than their "
+        "height.",
+        [](Settings& s, const EvolutionKinds&) { move_joints(s, 20.0); }},
     SettingPreset{kTrial, "One trial", "One trial, without jitter.",
                   [](Settings& s, const EvolutionKinds&) { try_creatures(s, 1, 0.0, 0.0); }},
     SettingPreset{kTrial, "Robust",
