@@ -8,7 +8,8 @@
 namespace cambrian {
 namespace {
 
-constexpr double kReflectToggleShare = 0.6;  // share of flag changes; the others toggle terminal-only
+constexpr double kReflectToggleShare =
+    0.6;  // share of flag changes; the others toggle terminal-only
 
 bool mutate_edge_scalar(Genome& genome, const MutationContext& /*context*/, RandomStream& stream,
                         MutationRecord& record) {

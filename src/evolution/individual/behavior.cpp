@@ -8,9 +8,9 @@ namespace {
 constexpr double kRestingHeight = 0.005;  // m; height of a resting contact, which is slightly soft
 
 double contact_share(const TrialRecord& record) {
-    const auto touching =
-        std::count_if(record.samples.begin(), record.samples.end(),
-                      [](const MotionSample& sample) { return sample.bounds.low.y() < kRestingHeight; });
+    const auto touching = std::count_if(
+        record.samples.begin(), record.samples.end(),
+        [](const MotionSample& sample) { return sample.bounds.low.y() < kRestingHeight; });
     return static_cast<double>(touching) / static_cast<double>(record.samples.size());
 }
 
