@@ -170,7 +170,9 @@ class Evolve(ProgramTest):
         self.assertLess(sum(spent[:-1]), 40)
 
     def test_giving_up_tells_how_many_were_audited(self):
-        self.write("hasty.toml", SMALL.replace("[run]\n", "[run]\nstop-hopeless = true\n"))
+        # A trial ends after 4.5 s at the earliest.
+        self.write("hasty.toml", SMALL.replace("[run]\n", "[run]\nstop-hopeless = true\n")
+                   .replace("duration = 2", "duration = 9").replace("size = 12", "size = 30"))
         words = self.run_well("evolve", "hasty.toml", "-n", 6, "-o", "a.json").stdout
         self.assertRegex(words, r"\nearly termination: \d+ audited, \d+ would have survived\n")
         report = self.run_well("evolve", "hasty.toml", "-n", 6, "--json", "-o", "a.json").stdout
