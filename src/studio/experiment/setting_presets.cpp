@@ -138,11 +138,9 @@ constexpr std::array kPresets = {
                   [](Settings& s, const EvolutionKinds&) {
                       move_joints(s, SceneSettings{}.motor_speed_limit);
                   }},
-    SettingPreset{
-        kSimulation, "Quick muscles",
-        "Muscles move joints at up to 20 rad/s, with which creatures jump more than their "
-        "height.",
-        [](Settings& s, const EvolutionKinds&) { move_joints(s, 20.0); }},
+    SettingPreset{kSimulation, "Quick muscles",
+                  "Muscles move joints at up to 20 rad/s, with which creatures jump a metre high.",
+                  [](Settings& s, const EvolutionKinds&) { move_joints(s, 20.0); }},
     SettingPreset{kTrial, "One trial", "One trial, without jitter.",
                   [](Settings& s, const EvolutionKinds&) { try_creatures(s, 1, 0.0, 0.0); }},
     SettingPreset{kTrial, "Robust",
