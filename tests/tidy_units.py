@@ -3,7 +3,7 @@
     python3 tests/tidy_units.py BUILD COUNT
 
 Reads BUILD/compile_commands.json and writes BUILD/units: a source for each of about COUNT equally large
-parts of the program (the layers below src), which includes all sources of its part, and a
+parts of the program, which includes all sources of its part, and a
 compile_commands.json for these. Sources whose compiler options differ, apart from definitions and
 folders of headers, stay apart.
 """
@@ -59,12 +59,12 @@ def units_of(commands, count):
     units = []
     for command in commands:
         source, options = command["file"], options_of(command)
-        fitting = [unit for unit in units if unit.kind == Unit(options).kind
-                   and unit.lines + lines[source] / 2 < most]
+        new = Unit(options)
+        fitting = [unit for unit in units
+                   if unit.kind == new.kind and unit.lines + lines[source] / 2 < most]
         if not fitting:
-            fitting = [Unit(options)]
-            units += fitting
-        fitting[-1].add(source, lines[source], options)
+            units.append(new)
+        (fitting or [new])[-1].add(source, lines[source], options)
     return sorted(units, key=lambda unit: -unit.lines)
 
 

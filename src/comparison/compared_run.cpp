@@ -38,10 +38,9 @@ double confirmed_score(const GenomePtr& genome, ExperimentSettings settings,
 
 double accurate_score(const GenomePtr& genome, const ExperimentSettings& settings,
                       const EvolutionKinds& kinds) {
-    const EvaluationResult result =
+    return completed_score(
         evaluate_in_trials({.genome = genome, .trial_seed = trial_seed(settings)},
-                           accurate_settings(settings, kinds), kinds);
-    return result.outcome == Outcome::kCompleted ? result.fitness : 0.0;
+                           accurate_settings(settings, kinds), kinds));
 }
 
 double jump_height(const GenomePtr& genome, const ExperimentSettings& settings,

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace cambrian {
@@ -113,11 +112,6 @@ IndividualPtr Evolution::confirmed_champion(EvaluationBackend& backend,
         candidates.push_back(std::make_shared<const Individual>(std::move(fresh)));
         if (candidates.size() == kChampions) break;
     }
-    const auto everybody = [](std::span<const IndividualPtr> all) {
-        std::vector<std::size_t> places(all.size());
-        std::iota(places.begin(), places.end(), std::size_t{0});
-        return places;
-    };
     // The first worlds of a generation were used to choose survivors; these are different ones.
     const std::vector<Probe> probes =
         probes_of(*settings_, generation_, settings_->selection.confirmations + kChampionWorlds);
@@ -164,14 +158,14 @@ void Evolution::plan_evaluations() {
     for (std::size_t slot = 0; slot < population_.size(); ++slot) {
         const Individual& individual = *population_[slot];
         if (individual.evaluated) continue;
-        const std::uint64_t phenotype = phenotype_of(*individual.genome, *settings_, *kinds_);
-        if (score_as_known(slot, phenotype)) continue;
-        const auto [request, is_new] = requested.emplace(phenotype, requests_.size());
+        const PhenotypeHashes hashes = hashes_of(*individual.genome, *settings_, *kinds_);
+        if (score_as_known(slot, hashes.phenotype)) continue;
+        const auto [request, is_new] = requested.emplace(hashes.phenotype, requests_.size());
         request_of_slot_[slot] = request->second;
         if (!is_new) continue;
         requests_.push_back({individual.genome, trial_seed(*settings_),
-                             static_cast<std::uint32_t>(slot), threshold_for(individual),
-                             individual.expected_work});
+                             static_cast<std::uint32_t>(slot),
+                             threshold_for(individual, hashes.plan), individual.expected_work});
     }
     results_.assign(requests_.size(), std::nullopt);
 }
@@ -189,9 +183,9 @@ bool Evolution::score_as_known(std::size_t slot, std::uint64_t phenotype) {
     return true;
 }
 
-std::optional<TerminationThreshold> Evolution::threshold_for(const Individual& individual) const {
+std::optional<TerminationThreshold> Evolution::threshold_for(const Individual& individual,
+                                                             std::uint64_t plan) const {
     if (!settings_->terminate_early || !termination_audit_.trustworthy()) return {};
-    const std::uint64_t plan = plan_of(*individual.genome, *settings_, *kinds_);
     const std::optional<double> least = survival_thresholds_.of(individual.line, plan);
     if (!least) return {};
     const bool drawn = individual.uid % kAuditedOneIn == 0;

@@ -81,7 +81,8 @@ private:
     IndividualPtr make_founder(std::size_t slot, const std::vector<GenomePtr>& founders) const;
     void plan_evaluations();
     std::vector<std::size_t> survivors_of(std::span<const IndividualPtr> ranked) const;
-    std::optional<TerminationThreshold> threshold_for(const Individual& individual) const;
+    std::optional<TerminationThreshold> threshold_for(const Individual& individual,
+                                                      std::uint64_t plan) const;
     void update_thresholds(const std::vector<IndividualPtr>& next);
     void forget_plan();
     void renew_chance();

@@ -91,7 +91,7 @@ TEST_CASE("children with their parent's phenotype hash move as it does", "[creat
     int changed = 0;
     for (std::uint64_t seed = 1; seed <= 150; ++seed) {
         const auto parent = std::make_shared<const Genome>(genome_of(seed));
-        const std::uint64_t hash = phenotype_of(*parent, settings, kinds());
+        const std::uint64_t hash = hashes_of(*parent, settings, kinds()).phenotype;
         const EvaluationResult judged = evaluate({.genome = parent}, settings, kinds());
         CHECK(judged.phenotype == hash);
         for (std::uint64_t child = 0; child < 4; ++child) {
@@ -100,7 +100,7 @@ TEST_CASE("children with their parent's phenotype hash move as it does", "[creat
             mutate(mutant, settings.mutation, kinds().mutations,
                    {.catalog = kinds().creature.catalog, .founders = settings.founders}, stream);
             if (mutant == *parent) continue;
-            if (phenotype_of(mutant, settings, kinds()) != hash) {
+            if (hashes_of(mutant, settings, kinds()).phenotype != hash) {
                 ++changed;
                 continue;
             }

@@ -88,7 +88,7 @@ TEST_CASE("lines and body plans that an older version did not tell are filled in
     const auto saved = load_experiment(folder / "run.cambrian", kinds());
     REQUIRE(saved);
     for (IndividualPtr one : saved->latest->population) {
-        CHECK(one->result.plan == plan_of(*one->genome, *saved->latest->settings, kinds()));
+        CHECK(one->result.plan == hashes_of(*one->genome, *saved->latest->settings, kinds()).plan);
         CHECK(one->result.scores.empty());
         const std::uint64_t line = one->line;
         while (one->mother.get())

@@ -49,7 +49,7 @@ public:
             EvaluationResult result;
             result.fitness = under(fitness(*requests[i].genome), settings);
             if (requests[i].probe) result.fitness = in_probe(result.fitness, *requests[i].probe);
-            result.phenotype = phenotype_of(*requests[i].genome, settings, kinds());
+            result.phenotype = hashes_of(*requests[i].genome, settings, kinds()).phenotype;
             results[i] = result;
             ++evaluations;
             progress.done = static_cast<std::uint32_t>(i + 1);

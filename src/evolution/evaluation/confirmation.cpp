@@ -29,9 +29,8 @@ bool is_accurate(const Individual& individual, const ConfirmingTrials& trials) {
     if (!trials.backend.evaluate({&request, 1}, {&result, 1}, trials.settings, trials.progress,
                                  trials.stop))
         return false;
-    const double computed = result->outcome == Outcome::kCompleted ? result->fitness : 0.0;
     const double score = individual.result.fitness;
-    return std::fabs(computed - score) <= kAccuracy * std::fabs(score);
+    return std::fabs(completed_score(*result) - score) <= kAccuracy * std::fabs(score);
 }
 
 bool Confirmation::confirm(std::vector<IndividualPtr>& ranked, const Survivors& survivors,
@@ -75,9 +74,7 @@ bool Confirmation::try_again(const std::vector<IndividualPtr>& creatures,
     const bool whole =
         trials.backend.evaluate(requests, results, trials.settings, trials.progress, trials.stop);
     for (std::size_t i = 0; i < results.size(); ++i) {
-        if (!results[i]) continue;
-        const bool completed = results[i]->outcome == Outcome::kCompleted;
-        tried_.emplace(keys[i], completed ? results[i]->fitness : 0.0);
+        if (results[i]) tried_.emplace(keys[i], completed_score(*results[i]));
     }
     return whole;
 }

@@ -159,14 +159,10 @@ JudgedTrial judge_trial(const EvaluationRequest& request, const ExperimentSettin
     return judged;
 }
 
-std::uint64_t phenotype_of(const Genome& genome, const ExperimentSettings& settings,
-                           const EvolutionKinds& kinds) {
-    return phenotype_hash(*grow(genome, settings, kinds));
-}
-
-std::uint64_t plan_of(const Genome& genome, const ExperimentSettings& settings,
-                      const EvolutionKinds& kinds) {
-    return body_plan_hash(*grow(genome, settings, kinds));
+PhenotypeHashes hashes_of(const Genome& genome, const ExperimentSettings& settings,
+                          const EvolutionKinds& kinds) {
+    const auto phenotype = grow(genome, settings, kinds);
+    return {phenotype_hash(*phenotype), body_plan_hash(*phenotype)};
 }
 
 FinerResult recompute(const Genome& genome, const ExperimentSettings& settings,

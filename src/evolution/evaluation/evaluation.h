@@ -39,14 +39,14 @@ struct JudgedTrial {
 JudgedTrial judge_trial(const EvaluationRequest& request, const ExperimentSettings& settings,
                         const EvolutionKinds& kinds, const std::stop_token& stop = {});
 
-// Computes EvaluationResult::phenotype without a trial. Creatures with the same value have the same
-// score.
-std::uint64_t phenotype_of(const Genome& genome, const ExperimentSettings& settings,
-                           const EvolutionKinds& kinds);
-
-// Computes EvaluationResult::plan without a trial.
-std::uint64_t plan_of(const Genome& genome, const ExperimentSettings& settings,
-                      const EvolutionKinds& kinds);
+// The hashes of an EvaluationResult. Creatures of the same phenotype have the same score.
+struct PhenotypeHashes {
+    std::uint64_t phenotype = 0;
+    std::uint64_t plan = 0;
+};
+// Computes them without a trial.
+PhenotypeHashes hashes_of(const Genome& genome, const ExperimentSettings& settings,
+                          const EvolutionKinds& kinds);
 
 // Runs and scores the first trial with finer settings (finer_settings), as for every champion that
 // is saved (simulator/README.md 4).

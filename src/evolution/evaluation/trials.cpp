@@ -117,7 +117,7 @@ double held_out_score(const GenomePtr& genome, const ExperimentSettings& setting
     const std::uint64_t seed = stream_seed({trial_seed(held_out), kHeldOut});
     const EvaluationResult result =
         evaluate_in_trials({.genome = genome, .trial_seed = seed}, held_out, kinds, stop);
-    return result.outcome == Outcome::kCompleted ? result.fitness : 0.0;
+    return completed_score(result);
 }
 
 ExperimentSettings accurate_settings(const ExperimentSettings& settings,
@@ -139,7 +139,7 @@ std::vector<double> scores_in(std::span<const Probe> probes, const GenomePtr& ge
         const EvaluationResult result = evaluate_in_trials(
             {.genome = genome, .trial_seed = trial_seed(settings), .probe = probe}, settings, kinds,
             stop);
-        scores.push_back(result.outcome == Outcome::kCompleted ? result.fitness : 0.0);
+        scores.push_back(completed_score(result));
     }
     return scores;
 }

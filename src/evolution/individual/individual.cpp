@@ -26,6 +26,10 @@ double unconfirmed_score(const EvaluationResult& result) {
     return result.scores.empty() ? result.fitness : result.scores.front();
 }
 
+double completed_score(const EvaluationResult& result) {
+    return result.outcome == Outcome::kCompleted ? result.fitness : 0.0;
+}
+
 IndividualPtr without_score(const Individual& individual) {
     Individual unscored = individual;
     unscored.evaluated = false;

@@ -71,6 +71,9 @@ using IndividualPtr = std::shared_ptr<const Individual>;
 // Returns the score of the first trial in the unchanged world, which a replay reproduces.
 double unconfirmed_score(const EvaluationResult& result);
 
+// Returns the fitness, or 0 if a trial failed.
+double completed_score(const EvaluationResult& result);
+
 // Returns the same creature without its evaluation.
 IndividualPtr without_score(const Individual& individual);
 

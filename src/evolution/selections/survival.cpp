@@ -70,12 +70,6 @@ private:
     std::map<std::uint64_t, std::size_t> of_plan_;
 };
 
-std::vector<std::size_t> everybody(std::span<const IndividualPtr> ranked) {
-    std::vector<std::size_t> places(ranked.size());
-    std::iota(places.begin(), places.end(), std::size_t{0});
-    return places;
-}
-
 // Returns the creatures that finished a trial. They come before those that failed; between them are
 // creatures whose trial was terminated early, with the score of its beginning.
 std::vector<std::size_t> finished(std::span<const IndividualPtr> ranked) {
@@ -89,6 +83,12 @@ std::vector<std::size_t> finished(std::span<const IndividualPtr> ranked) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> everybody(std::span<const IndividualPtr> ranked) {
+    std::vector<std::size_t> places(ranked.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    return places;
+}
 
 std::vector<std::size_t> first_of_ranking(std::span<const IndividualPtr> ranked, std::size_t wanted,
                                           int max_clones) {

@@ -12,6 +12,9 @@
 
 namespace cambrian {
 
+// Returns all places of the ranking.
+std::vector<std::size_t> everybody(std::span<const IndividualPtr> ranked);
+
 // Returns the first `wanted` of the ranking, with at most max_clones of one phenotype.
 std::vector<std::size_t> first_of_ranking(std::span<const IndividualPtr> ranked, std::size_t wanted,
                                           int max_clones);

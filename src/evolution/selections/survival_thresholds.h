@@ -5,13 +5,14 @@
 
 #include "evolution/selections/selection.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
 namespace cambrian {
 
@@ -29,18 +30,23 @@ public:
     std::optional<double> of(std::uint64_t line, std::uint64_t plan) const;
 
 private:
-    void count(std::span<const IndividualPtr> survivors);
-    bool within_limits() const;
+    // Survivors that have something in common.
+    struct Group {
+        std::size_t size = 0;
+        double worst = std::numeric_limits<double>::infinity();  // least score
 
-    // The scores of some survivors, highest first.
-    using Scores = std::vector<double>;
+        void add(double score) {
+            ++size;
+            worst = std::min(worst, score);
+        }
+    };
+    void group(std::span<const IndividualPtr> survivors);
 
     std::optional<double> base_;
     std::size_t most_of_line_ = 0;  // largest numbers of survivors
     std::size_t most_of_plan_ = 0;
-    std::map<std::uint64_t, Scores> of_line_;
-    std::map<std::pair<std::uint64_t, std::uint64_t>, Scores> of_line_and_plan_;
-    std::map<std::uint64_t, std::size_t> of_plan_;
+    std::map<std::uint64_t, Group> lines_;
+    std::map<std::pair<std::uint64_t, std::uint64_t>, Group> lines_and_plans_;
 };
 
 }  // namespace cambrian

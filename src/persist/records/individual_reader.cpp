@@ -76,7 +76,7 @@ IndividualPtr IndividualReader::read(const RowRef& row, const ExperimentSettings
     if (!individual.genome) throw DatabaseError("its genotype is missing");
     // Files older than version 3 do not have the body plan.
     if (individual.result.plan == 0)
-        individual.result.plan = plan_of(*individual.genome, settings, kinds_);
+        individual.result.plan = hashes_of(*individual.genome, settings, kinds_).plan;
     if (mother != 0) individual.mother = ParentLink(ancestor(mother, row.individual));
     place = std::make_shared<const Individual>(std::move(individual));
     return place;
