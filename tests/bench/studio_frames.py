@@ -7,6 +7,7 @@ import json
 import mmap
 import os
 import pathlib
+import shutil
 import statistics
 import struct
 import subprocess
@@ -22,6 +23,8 @@ PATIENCE = 60  # s; for the window to open, to respond and to close
 LONG_FRAME = 33.0  # ms
 INPUT_EVERY = 3.0  # s
 F1 = 290  # GLFW key code
+PACES = 4  # presses that lead from any pace of a preserve to the fastest
+TICKS_PER_SECOND = 60
 
 # name: (upper bound, unit)
 AIMS = {
@@ -94,22 +97,18 @@ class Cluster:
 
 
 class Studio:
-    """The program, which evolves from its start on, with its logs in a folder."""
+    """The program in a window, with its logs in a folder."""
 
-    def __init__(self, display, folder, options, settings, cluster=None):
+    def __init__(self, display, folder, options, *arguments):
         self.display = display
         self.frame_log = folder / "frames.csv"
         self.status_log = folder / "status.log"
         self.status_log.unlink(missing_ok=True)
-        settings_file = folder / "settings.toml"
-        settings_file.write_text(settings)
-        command = [options.program, "studio", settings_file, "--evolve", "--width", WIDTH,
-                   "--height", HEIGHT, "--state-dir", "", "--frame-log", self.frame_log,
+        command = [options.program, "studio", *arguments, "--width", WIDTH, "--height", HEIGHT,
+                   "--state-dir", "", "--frame-log", self.frame_log,
                    "--status-log", self.status_log]
         if options.threads:
             command += ["--threads", options.threads]
-        if cluster:
-            command += ["--cluster", cluster.server.url]
         self.launched = time.monotonic()
         self.process = subprocess.Popen(list(map(str, command)), env=display.environment)
         self.wait_for("started")
@@ -195,6 +194,22 @@ class Toggle:
                 for press, seen in self.seen]
 
 
+def evolving(display, folder, options, settings, cluster=None):
+    """Returns a studio that evolves from its start on."""
+    settings_file = folder / "settings.toml"
+    settings_file.write_text(settings)
+    served = ["--cluster", cluster.server.url] if cluster else []
+    return Studio(display, folder, options, settings_file, "--evolve", *served)
+
+
+def living(display, folder, options):
+    """Returns a studio whose preserve, a copy of the given one, goes on as fast as it can."""
+    studio = Studio(display, folder, options, shutil.copy(options.preserve, folder))
+    studio.wait_for("preserve")
+    display.tool("key", "space", *["bracketright"] * PACES)
+    return studio
+
+
 def quantile(values, share):
     ordered = sorted(values)
     return ordered[round(share * (len(ordered) - 1))]
@@ -203,26 +218,47 @@ def quantile(values, share):
 def measure_frames(display, folder, options, cluster):
     """Evolves for some time while the help card opens and closes in front of the table of
     machines."""
-    studio = Studio(display, folder, options, EVOLVING.format(size=options.size), cluster)
+    studio = evolving(display, folder, options, EVOLVING.format(size=options.size), cluster)
     if cluster:
         while studio.events("machines")[-1]["machines"] <= options.workers:
             studio.wait_for("machines", count=len(studio.events("machines")) + 1)
     display.tool("key", "ctrl+m")
+    toggle, memory = watch(studio, options)
+    generations = len(studio.events("generation"))
+    return figures_of(studio, toggle, f"{options.seconds:.0f} s, {generations} generations of "
+                      f"{options.size}, {memory:.0f} MB at the end")
+
+
+def measure_preserve(display, folder, options):
+    """Lets a preserve go on for some time while the help card opens and closes."""
+    studio = living(display, folder, options)
+    toggle, memory = watch(studio, options)
+    first, last = (studio.events("world")[at] for at in (0, -1))
+    seconds = (last["tick"] - first["tick"]) / TICKS_PER_SECOND
+    return figures_of(studio, toggle, f"{options.seconds:.0f} s, {seconds:.0f} s of the world with "
+                      f"{last['creatures']} creatures, {memory:.0f} MB at the end")
+
+
+def watch(studio, options):
+    """Opens and closes the help card until the time is over. Returns the presses and the memory,
+    and closes the studio."""
     end = studio.launched + options.seconds
     time.sleep(5.0)
     toggle = Toggle(studio)
     while time.monotonic() < end:
         time.sleep(INPUT_EVERY)
         toggle.press_and_watch()
-    generations = len(studio.events("generation"))
     memory = studio.memory()
     studio.close()
+    return toggle, memory
+
+
+def figures_of(studio, toggle, duration):
     frames = studio.frames()
     intervals = [frame["interval_ms"] for frame in frames]
     work = [frame["work_ms"] for frame in frames]
     steps = toggle.frames()
-    print(f"frames                   {len(frames)} in {options.seconds:.0f} s, "
-          f"{generations} generations of {options.size}, {memory:.0f} MB at the end")
+    print(f"frames                   {len(frames)} in {duration}")
     for name, values in (("frame time", intervals), ("work of it", work)):
         print(f"{name:24} median {statistics.median(values):.1f}, p95 {quantile(values, 0.95):.1f},"
               f" p99 {quantile(values, 0.99):.1f}, longest {max(values):.1f} ms")
@@ -236,7 +272,7 @@ def measure_frames(display, folder, options, cluster):
 
 
 def measure_memory(display, folder, options):
-    studio = Studio(display, folder, options, QUICK.format(size=options.size))
+    studio = evolving(display, folder, options, QUICK.format(size=options.size))
     for passed in range(50, options.generations + 1, 50):
         studio.wait_for("generation", count=passed, patience=3600)
         print(f"memory                   {studio.memory():.0f} MB after {passed} generations")
@@ -247,7 +283,7 @@ def measure_memory(display, folder, options):
 
 def warm_up(display, folder, options):
     """Loads the program's files into memory before its start is timed."""
-    Studio(display, folder, options, EVOLVING.format(size=options.size)).close()
+    evolving(display, folder, options, EVOLVING.format(size=options.size)).close()
 
 
 def judge(figures):
@@ -270,6 +306,8 @@ def main():
     parser.add_argument("--threads", type=int, help="that evaluate; one a core unless given")
     parser.add_argument("--workers", type=int, default=0,
                         help="evaluate with so many workers on this machine too, through a server")
+    parser.add_argument("--preserve", type=pathlib.Path, metavar="WORLD.cambrian",
+                        help="let this preserve go on as fast as it can instead of evolving")
     parser.add_argument("--generations", type=int, default=0,
                         help="read the memory after so many quick ones too; 0 does not")
     options = parser.parse_args()
@@ -281,7 +319,8 @@ def main():
             warm_up(display, folder, options)
             cluster = Cluster(folder, options) if options.workers else None
             try:
-                figures = measure_frames(display, folder, options, cluster)
+                figures = (measure_preserve(display, folder, options) if options.preserve
+                           else measure_frames(display, folder, options, cluster))
             finally:
                 if cluster:
                     cluster.close()
