@@ -96,6 +96,48 @@ TEST_CASE("a new neuron takes over a link and mostly passes its source on",
     CHECK(passed_on == Approx(700).margin(60));
 }
 
+TEST_CASE("a reflex adds the signal of a sensor to what moves a joint", "[breeding][operators]") {
+    Genome genome = body_and_limb();
+    for (NodeGene& node : genome.nodes)
+        node.effector = {{SourceKind::kParentNeuron, 3}, 0.7};
+    std::array<int, 2> grown{};
+    for (std::uint64_t number = 0; number < 1000; ++number) {
+        const Genome changed = after("add-reflex", genome, number);
+        const std::size_t index = changed.nodes[0].neurons.empty() ? 1 : 0;
+        const NodeGene& node = changed.nodes[index];
+        ++grown[index];
+        REQUIRE(node.effector == InputGene{local(0), 0.7});
+        REQUIRE(node.neurons.size() == 1);
+        REQUIRE(node.neurons[0].function == function("sum"));
+        REQUIRE(node.neurons[0].inputs[0] == InputGene{genome.nodes[index].effector.source, 1.0});
+        const InputGene& sensor = node.neurons[0].inputs[1];
+        REQUIRE(sensor.source.kind == SourceKind::kLocalSensor);
+        REQUIRE(std::abs(sensor.weight) <= 1.0);
+        REQUIRE(node.neurons[0].inputs[2] == InputGene{{}, 0.0});
+        REQUIRE(validate(changed, full_catalog()).empty());
+    }
+    CHECK(grown[0] == Approx(500).margin(70));
+}
+
+TEST_CASE("no reflex grows without sensors, without sums or without room",
+          "[breeding][operators]") {
+    const MutationRegistry mutations = builtin_mutations();
+    const MutationKind& kind = *mutations.find("add-reflex");
+    RandomStream stream = test_stream(1);
+    MutationRecord record;
+    Genome full = body_and_limb();
+    for (NodeGene& node : full.nodes)
+        node.neurons.resize(gene_range::kMaxNodeNeurons, absolute_of(local(0)));
+    CHECK_FALSE(kind.apply(full, default_context(), stream, record));
+    FounderSettings blind;
+    for (const ChannelEntry& channel : full_catalog().channels)
+        blind.channels[channel.id] = false;
+    Genome genome = body_and_limb();
+    CHECK_FALSE(kind.apply(genome, {full_catalog(), blind}, stream, record));
+    const FounderSettings without_sums{.functions = {{"sum", false}}};
+    CHECK_FALSE(kind.apply(genome, {full_catalog(), without_sums}, stream, record));
+}
+
 TEST_CASE("a new part hangs on an old one", "[breeding][operators]") {
     int copies = 0;
     int pairs = 0;

@@ -15,6 +15,7 @@ MutationRegistry builtin_mutations() {
     add_organ_growth(mutations);
     add_organ_removal(mutations);
     add_organ_change(mutations);
+    add_reflex_growth(mutations);
     return mutations;
 }
 

@@ -17,6 +17,7 @@ void add_removal_operators(MutationRegistry& mutations);     // remove-neuron
 void add_organ_growth(MutationRegistry& mutations);          // add-organ
 void add_organ_removal(MutationRegistry& mutations);         // remove-organ
 void add_organ_change(MutationRegistry& mutations);          // organ
+void add_reflex_growth(MutationRegistry& mutations);         // add-reflex
 
 // Whether any kind of organ is enabled.
 bool organs_enabled(const MutationContext& context);

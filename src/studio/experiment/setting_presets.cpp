@@ -59,6 +59,11 @@ void weigh_mutations(Settings& settings, const EvolutionKinds& kinds, double bod
     }
 }
 
+void grow_reflexes(Settings& settings, const EvolutionKinds& kinds) {
+    weigh_mutations(settings, kinds, 1.0, 1.0);
+    settings.mutation.weights["add-reflex"] = 25.0;
+}
+
 void try_creatures(Settings& settings, int trials, double friction_jitter, double tilt_jitter) {
     TrialSettings& trial = settings.world.trial;
     trial.trials = trials;
@@ -134,6 +139,10 @@ constexpr std::array kPresets = {
     SettingPreset{
         kMutation, "Reshape", "Brains change a third as often, so that new bodies are found.",
         [](Settings& s, const EvolutionKinds& kinds) { weigh_mutations(s, kinds, 1.0, 3.0); }},
+    SettingPreset{kMutation, "Grow reflexes",
+                  "Many children get a sensor that turns a joint further or less far, so that "
+                  "swimmers learn to steer.",
+                  [](Settings& s, const EvolutionKinds& kinds) { grow_reflexes(s, kinds); }},
     SettingPreset{kSimulation, "Usual muscles", "Muscles move joints at up to 6 rad/s.",
                   [](Settings& s, const EvolutionKinds&) {
                       move_joints(s, SceneSettings{}.motor_speed_limit);

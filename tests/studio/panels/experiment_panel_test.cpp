@@ -177,6 +177,20 @@ TEST_CASE("mutation presets weigh the operators on the body or the brain",
     }
 }
 
+TEST_CASE("a preset lets reflexes grow and leaves the other mutations as usual",
+          "[studio][experiment_panel]") {
+    PanelRun run;
+    run.click("mutation preset");
+    run.click("Grow reflexes");
+    const auto& edit = test::asked<EditSettings>(run.out);
+    for (const MutationKind& kind : test::kinds().mutations.all()) {
+        INFO(kind.id);
+        CHECK(edit.settings.mutation.weights.at(kind.id) ==
+              (kind.id == "add-reflex" ? 25.0 : kind.default_weight));
+    }
+    CHECK(check_settings(edit.settings, test::kinds()).has_value());
+}
+
 TEST_CASE("the robust preset asks for the mean of three trials", "[studio][experiment_panel]") {
     PanelRun run;
     run.click("group trial");
