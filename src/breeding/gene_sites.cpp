@@ -125,4 +125,8 @@ std::vector<std::size_t> nodes_with_room_for_organs(const Genome& genome) {
     return nodes_with_fewer(genome, &NodeGene::organs, gene_range::kMaxOrgans);
 }
 
+std::vector<std::size_t> nodes_with_room_for_neurons(const Genome& genome) {
+    return nodes_with_fewer(genome, &NodeGene::neurons, gene_range::kMaxNodeNeurons);
+}
+
 }  // namespace cambrian

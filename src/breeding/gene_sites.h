@@ -66,8 +66,9 @@ std::vector<InputSite> input_sites(const Genome& genome);
 std::vector<EdgeSite> edge_sites(const Genome& genome);
 std::vector<OrganGeneSite> organ_sites(const Genome& genome);
 
-// Returns the nodes that have room for another edge, or for another organ.
+// Return the nodes that have room for another edge, another organ or another neuron.
 std::vector<std::size_t> nodes_with_room(const Genome& genome);
 std::vector<std::size_t> nodes_with_room_for_organs(const Genome& genome);
+std::vector<std::size_t> nodes_with_room_for_neurons(const Genome& genome);
 
 }  // namespace cambrian

@@ -1,3 +1,4 @@
+#include "breeding/gene_sites.h"
 #include "breeding/mutations/operators.h"
 #include "genome/founders/enabled_kinds.h"
 #include "genome/words.h"
@@ -9,22 +10,12 @@
 #include <optional>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace cambrian {
 namespace {
 
 constexpr double kMaxReflexWeight = 1.0;
 constexpr std::string_view kSum = "sum";
-
-// Returns the nodes that have room for another neuron.
-std::vector<std::size_t> nodes_with_room_for_neurons(const Genome& genome) {
-    std::vector<std::size_t> nodes;
-    for (std::size_t node = 0; node < genome.nodes.size(); ++node) {
-        if (genome.nodes[node].neurons.size() < gene_range::kMaxNodeNeurons) nodes.push_back(node);
-    }
-    return nodes;
-}
 
 // Returns the function whose neurons add their inputs, unless the settings exclude it.
 std::optional<std::uint8_t> enabled_sum(const MutationContext& context) {
