@@ -97,8 +97,9 @@ int run_plan(const Options& options) {
     std::atomic<bool> kept = true;
     ThreadPool pool(options.threads);
     pool.parallel_for(runs.size(), [&](std::size_t index, std::size_t /*worker*/) {
-        const bool written = tables.keep(perform(runs[index], kinds, champions));
-        if (!written) kept = false;
+        const auto result = perform(runs[index], kinds, champions);
+        if (!result) std::fprintf(stderr, "%s\n", result.error().message.c_str());
+        if (!result || !tables.keep(*result)) kept = false;
     });
     if (!kept) return refuse({options.folder.string() + ": a run could not be written"});
     return 0;
@@ -126,7 +127,8 @@ int check(const Options& options) {
     std::vector<RunResult> runs(specs.size());
     ThreadPool pool(options.threads);
     pool.parallel_for(specs.size(), [&](std::size_t index, std::size_t /*worker*/) {
-        runs[index] = perform(specs[index], kinds, {});
+        // The quick plan has the goals' defaults, which need no file.
+        runs[index] = perform(specs[index], kinds, {}).value();
     });
     const std::vector<Criterion> criteria = quick_criteria(runs);
     std::printf("%s%s", criteria_table(criteria).c_str(), arm_tables(runs, "quick").c_str());

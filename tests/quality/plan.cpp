@@ -81,6 +81,7 @@ std::vector<RunSpec> seeking_plan() {
             runs.push_back({.plan = "seeking",
                             .goal = kSeeking,
                             .arm = std::string(arm),
+                            .settings = "seeking.toml",
                             .seed = seed,
                             .size = 300,
                             .budget = 20000});

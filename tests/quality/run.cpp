@@ -21,12 +21,20 @@ namespace {
 
 constexpr double kLate = 0.7;  // share of the test after which a walker must still move
 
-SettingsPtr settings_of(const RunSpec& spec, const EvolutionKinds& kinds) {
-    auto settings = std::make_shared<ExperimentSettings>(default_settings(spec.goal, kinds));
+Result<ExperimentSettings> base_settings(const RunSpec& spec, const EvolutionKinds& kinds) {
+    if (spec.settings.empty()) return default_settings(spec.goal, kinds);
+    const std::filesystem::path samples = CAMBRIAN_SOURCE_DIR "/assets/settings";
+    return load_settings(samples / spec.settings, kinds);
+}
+
+Result<SettingsPtr> settings_of(const RunSpec& spec, const EvolutionKinds& kinds) {
+    auto base = base_settings(spec, kinds);
+    if (!base) return base.error();
+    auto settings = std::make_shared<ExperimentSettings>(std::move(*base));
     settings->seed = spec.seed;
     settings->population.size = spec.size;
     arm_of(spec.arm).change(*settings);
-    return settings;
+    return SettingsPtr(std::move(settings));
 }
 
 // Collects measurements of an evolution after each generation.
@@ -132,10 +140,12 @@ void save_champion(const RunSpec& spec, const JudgedIndividual& champion,
 
 }  // namespace
 
-RunResult perform(const RunSpec& spec, const EvolutionKinds& kinds,
-                  const std::filesystem::path& champions) {
+Result<RunResult> perform(const RunSpec& spec, const EvolutionKinds& kinds,
+                          const std::filesystem::path& champions) {
     const double begun = thread_cpu_time();
-    const SettingsPtr settings = settings_of(spec, kinds);
+    const auto made = settings_of(spec, kinds);
+    if (!made) return made.error();
+    const SettingsPtr& settings = *made;
     const auto backend = make_thread_pool_backend(kinds, 1);
     Evolution evolution(settings, kinds);
     EvaluationProgress progress;

@@ -2,6 +2,7 @@
 
 // One evolution of the quality benchmark (quality/README.md): its plan and its results.
 
+#include "core/result.h"
 #include "evolution/kinds/evolution_kinds.h"
 #include "evolution/settings/experiment_settings.h"
 
@@ -17,6 +18,8 @@ struct RunSpec {
     std::string plan;  // name of the plan
     std::string goal;
     std::string arm;
+    // Sample settings (*.toml) to begin with; the defaults of the goal if empty.
+    std::string settings = {};
     std::uint64_t seed = 1;
     int size = 100;     // creatures per generation
     int budget = 3000;  // different evaluations after which the result is taken
@@ -57,8 +60,9 @@ struct RunResult {
     std::vector<CurvePoint> curve;               // one point per generation
 };
 
-// Saves the champion in the folder unless that is empty.
-RunResult perform(const RunSpec& spec, const EvolutionKinds& kinds,
-                  const std::filesystem::path& champions);
+// Saves the champion in the folder unless that is empty. Fails if the sample settings cannot be
+// read.
+Result<RunResult> perform(const RunSpec& spec, const EvolutionKinds& kinds,
+                          const std::filesystem::path& champions);
 
 }  // namespace cambrian::quality
