@@ -5,6 +5,7 @@
 #include "evolution/evaluation/evaluation.h"
 #include "evolution/fields/setting_field.h"
 #include "genome/founders/random_genome.h"
+#include "support/build_speed.h"
 #include "support/catch.h"
 #include "support/creatures.h"
 #include "support/kinds.h"
@@ -109,7 +110,8 @@ TEST_CASE("every setting of the physics at either end of its range gives a verdi
 TEST_CASE("random extremes of the world, the physics and the body give a verdict",
           "[evolution][extremes]") {
     int completed = 0;
-    for (std::uint64_t round = 0; round < 300; ++round) {
+    const std::uint64_t rounds = test::by_build<std::uint64_t>(300, 100);
+    for (std::uint64_t round = 0; round < rounds; ++round) {
         RandomStream random(stream_seed({round, 7, 2}));
         ExperimentSettings settings;
         for (const SettingField& field : fields_of_trials())

@@ -2,6 +2,7 @@
 #include "persist/settings/settings_file.h"
 #include "preserve/life/founders.h"
 #include "preserve/life/lineage.h"
+#include "support/build_speed.h"
 #include "worlds.h"
 
 #include <array>
@@ -22,7 +23,8 @@ TEST_CASE("energy is constant to the last unit while creatures feed, breed and d
     ThreadPool pool(1);
     std::size_t births = 0;
     std::size_t deaths = 0;
-    for (int tick = 0; tick < 9000; ++tick) {
+    const int ticks = by_build(9000, 3000);
+    for (int tick = 0; tick < ticks; ++tick) {
         preserve->tick(pool);
         REQUIRE(preserve->total_energy() == constant);
         const Chronicle chronicle = preserve->take_chronicle();

@@ -2,6 +2,7 @@
 #include "persist/preserve/preserve_file.h"
 #include "persist/sqlite/database.h"
 #include "simulator/simulator_version.h"
+#include "support/build_speed.h"
 #include "support/temporary_directory.h"
 #include "worlds.h"
 
@@ -32,11 +33,12 @@ TEST_CASE("a preserve that goes on from a snapshot has the bits of one that neve
     const auto state = state_of(words, origins_of(*uncut->snapshot()));
     REQUIRE(state);
     CHECK(words_of(*state) == words);
-    run_to(*uncut, 2 * kTicksPerSnapshot);
+    const std::uint64_t end = kTicksPerSnapshot + by_build<std::uint64_t>(kTicksPerSnapshot, 600);
+    run_to(*uncut, end);
     const auto resumed = Preserve::resume(std::make_shared<const ExperimentSettings>(settings),
                                           kinds(), founders, *state);
     REQUIRE(resumed);
-    run_to(**resumed, 2 * kTicksPerSnapshot);
+    run_to(**resumed, end);
     CHECK(digest(**resumed) == digest(*uncut));
 }
 

@@ -1,4 +1,5 @@
 // Preserves with solid bodies.
+#include "support/build_speed.h"
 #include "worlds.h"
 
 #include <algorithm>
@@ -31,7 +32,8 @@ TEST_CASE("energy is constant to the last unit among solid creatures", "[preserv
     ThreadPool pool(1);
     std::size_t births = 0;
     std::size_t broken = 0;
-    for (int tick = 0; tick < 4000; ++tick) {
+    const int ticks = by_build(4000, 2000);
+    for (int tick = 0; tick < ticks; ++tick) {
         preserve->tick(pool);
         REQUIRE(preserve->total_energy() == preserve->founding_energy());
         const Chronicle chronicle = preserve->take_chronicle();
