@@ -33,6 +33,7 @@ void register_competition(GoalRegistry& goals) {
                .label = "Competition",
                .unit = "points",
                .help = "Nearer to a cube than an opponent, from 0 to 2 points.",
+               .sample = "porter",
                .default_environment = [] { return Environment{}; },
                .default_trial = bouts(),
                .may_give_up = false,

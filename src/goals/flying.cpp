@@ -76,6 +76,7 @@ void register_flying(GoalRegistry& goals) {
                .unit = "points",
                .help = "Staying up and climbing in thin air by flapping, then travel. The best "
                        "creature that falls without moving has 0.5; level flight has 1.",
+               .sample = "butterfly",
                .default_environment = air,
                .may_give_up = false,
                .mismatch = needs_air,

@@ -30,6 +30,9 @@ struct GoalKind {
     std::string label;  // "Walking"
     std::string unit;   // of the score: "BL/s"
     std::string help;   // one sentence for users
+    // Name of a sample creature that the goal displays before a run has creatures: "walker" is
+    // walker.creature.json. Empty for none.
+    std::string sample = {};
     // Default number of worlds in which scores are confirmed; 0 if a slightly changed trial gives
     // nearly the same score.
     int default_confirmations = 0;

@@ -34,6 +34,7 @@ void register_jumping(GoalRegistry& goals) {
                .unit = "m",
                .help = "The height of the best jump: of the lowest point above the ground, as far "
                        "as the body rose with it.",
+               .sample = "leaper",
                .default_confirmations = 2,
                .default_environment = [] { return Environment{}; },
                .mismatch = needs_ground,

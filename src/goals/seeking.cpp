@@ -92,6 +92,7 @@ void register_seeking(GoalRegistry& goals) {
                .unit = "points",
                .help = "The share of the way to a jumping light that is covered, on average and "
                        "in the worse half of the legs; 1 at most.",
+               .sample = "manta",
                .default_environment = lit_water,
                .default_trial = pairs_of_trials(),
                .senses = {"light-along", "light-across", "light"},

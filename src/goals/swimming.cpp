@@ -35,6 +35,7 @@ void register_swimming(GoalRegistry& goals) {
                .label = "Swimming",
                .unit = "BL/s",
                .help = "Steady progress through water along one line, in body lengths per second.",
+               .sample = "dart",
                .default_environment = water,
                .mismatch = needs_water,
                .score = score_swimming});

@@ -66,6 +66,7 @@ void register_walking(GoalRegistry& goals) {
                .label = "Walking",
                .unit = "BL/s",
                .help = "Steady progress over the ground, in body lengths per second.",
+               .sample = "walker",
                .default_confirmations = 2,
                .default_environment = [] { return Environment{}; },
                .mismatch = needs_ground,

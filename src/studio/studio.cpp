@@ -91,15 +91,24 @@ private:
         } else if (!options_.evolve) {
             controller_.reopen_last();
         }
-        if (controller_.frame_context().viewer.playback.empty() &&
-            !options_.sample_creature.empty())
-            controller_.files().open_now(options_.sample_creature, ExhibitSource::kSample);
+        if (controller_.frame_context().viewer.playback.empty()) open_sample();
         if (controller_.frame_context().viewer.playback.empty()) controller_.show_random_creature();
         if (options_.evolve) {
             Requests requests;
             requests.ask(ToggleEvolution{});
             controller_.carry_out(requests);
         }
+    }
+
+    // Opens the sample creature of the experiment's goal, if there is one.
+    void open_sample() {
+        const FrameContext context = controller_.frame_context();
+        const GoalKind* goal = context.kinds.goals.find(context.experiment.editor.draft().goal);
+        if (goal == nullptr || goal->sample.empty()) return;
+        const auto sample = options_.assets / "creatures" / (goal->sample + ".creature.json");
+        std::error_code ignored;
+        if (std::filesystem::exists(sample, ignored))
+            controller_.files().open_now(sample, ExhibitSource::kSample);
     }
 
     // Waits for the next frame; a display that sets a lower frame rate makes it later.

@@ -23,10 +23,9 @@ struct WindowDrawing {
 };
 
 struct StudioOptions {
-    std::filesystem::path open_file;        // creature or settings file; empty for none
-    std::filesystem::path assets;           // folder of help pages and samples
-    std::filesystem::path sample_creature;  // displayed at the start unless open_file is a creature
-    std::filesystem::path frame_log;        // CSV file of frame times; empty for none
+    std::filesystem::path open_file;  // creature or settings file; empty for none
+    std::filesystem::path assets;     // folder of help pages and samples
+    std::filesystem::path frame_log;  // CSV file of frame times; empty for none
     // File to which events are appended as JSON lines; empty for none.
     std::filesystem::path status_log;
     std::filesystem::path screenshot;  // PNG file of the window at the end; empty for none

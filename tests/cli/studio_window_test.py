@@ -292,6 +292,14 @@ class StudioWindow(StudioTest):
         self.assert_painted(display.picture("opened-card-1280x800.png"))
         self.quit()
 
+    def test_settings_of_a_goal_open_with_a_creature_that_was_evolved_for_it(self):
+        display = self.open_display()
+        for goal, sample in (("swimming", "Dart"), ("flying", "Butterfly")):
+            self.start(display, ROOT / f"assets/settings/{goal}.toml")
+            self.wait_for("shown", title=sample)
+            self.assert_painted(display.picture(f"{goal}-settings-1280x800.png"))
+            self.quit()
+
     def test_the_viewer_shows_one_creature_and_nothing_else(self):
         display = self.open_display()
         self.open_window(display, "view", ROOT / "assets/creatures/hopper.creature.json")

@@ -304,3 +304,15 @@ TEST_CASE("a number of no sensor channel stays one that nothing has", "[persist]
     fewer.creature.catalog.channels.resize(5);
     CHECK(central_channel(numbered_sample("5"), fewer) == 5);
 }
+
+TEST_CASE("the sample of each goal was evolved for it", "[persist][creature_file]") {
+    const std::filesystem::path samples = CAMBRIAN_SOURCE_DIR "/assets/creatures";
+    for (const GoalKind& goal : kinds().goals.all()) {
+        CAPTURE(goal.id);
+        REQUIRE_FALSE(goal.sample.empty());
+        const auto sample = load_creature(samples / (goal.sample + ".creature.json"), kinds());
+        REQUIRE(sample);
+        CHECK(sample->settings().goal == goal.id);
+        CHECK(sample->score() > 0.0);
+    }
+}

@@ -48,9 +48,6 @@ public:
     StudioSubcommand() {
         options_.state_dir = usual_state_dir();
         options_.assets = assets_folder();
-        const std::filesystem::path sample = options_.assets / "creatures/walker.creature.json";
-        std::error_code ignored;
-        if (std::filesystem::exists(sample, ignored)) options_.sample_creature = sample;
     }
     void add_options(CLI::App& app) override {
         app.add_option("file", options_.open_file,
