@@ -104,11 +104,7 @@ private:
     void open_sample() {
         const FrameContext context = controller_.frame_context();
         const GoalKind* goal = context.kinds.goals.find(context.experiment.editor.draft().goal);
-        if (goal == nullptr || goal->sample.empty()) return;
-        const auto sample = options_.assets / "creatures" / (goal->sample + ".creature.json");
-        std::error_code ignored;
-        if (std::filesystem::exists(sample, ignored))
-            controller_.files().open_now(sample, ExhibitSource::kSample);
+        if (goal != nullptr && !goal->sample.empty()) controller_.files().open_sample(goal->sample);
     }
 
     // Waits for the next frame; a display that sets a lower frame rate makes it later.

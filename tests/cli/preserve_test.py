@@ -84,19 +84,19 @@ class Preserve(ProgramTest):
                             "a.cambrian: has reached 120 s; --seconds T asks for more")
 
     def test_changed_laws_of_a_preserve_hold_after_a_stop_and_are_repeated(self):
-        self.run_well("preserve", "pond.toml", "-f", *SWIMMERS, "--seconds", 60, "-o", "a.cambrian")
+        self.run_well("preserve", "pond.toml", "-f", *SWIMMERS, "--seconds", 1, "-o", "a.cambrian")
         for name in ("b.cambrian", "c.cambrian"):
             shutil.copy(self.folder / "a.cambrian", self.folder / name)
         laws = ["--law", "environment.viscosity-linear=0.6", "--law", "preserve.growth-time=40"]
-        uncut = self.rows("-r", "a.cambrian", *laws, "--seconds", 180)
-        self.assertNotEqual(uncut, self.rows("-r", "b.cambrian", "--seconds", 180))
+        uncut = self.rows("-r", "a.cambrian", *laws, "--seconds", 120)
+        unchanged = self.rows("-r", "b.cambrian", "--seconds", 60)
+        self.assertNotEqual(uncut[:len(unchanged)], unchanged)
         pieces = [self.rows("-r", "c.cambrian", *more, "--seconds", end)
-                  for more, end in ((laws, 120), ([], 180))]
+                  for more, end in ((laws, 60), ([], 120))]
         self.assertEqual(pieces[0] + pieces[1], uncut)
         self.assertEqual(self.snapshots("c.cambrian"), self.snapshots("a.cambrian"))
-        for name in ("a.cambrian", "c.cambrian"):
-            self.assertIn("replay verified, 4 snapshots up to 180 s",
-                          self.run_well("verify", name).stdout)
+        self.assertIn("replay verified, 4 snapshots up to 120 s",
+                      self.run_well("verify", "c.cambrian").stdout)
 
     def test_a_law_that_cannot_be_changed_gets_one_message(self):
         self.run_well("preserve", "pond.toml", "-f", *SWIMMERS, "--seconds", 1, "-o", "a.cambrian")

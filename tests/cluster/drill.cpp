@@ -77,7 +77,7 @@ private:
     WorkerHabits habits_;
 };
 
-constexpr double kDuration = by_build(2.0, 1.0);  // s of a trial
+constexpr double kDuration = by_build(2.0, 0.6);  // s of a trial
 
 }  // namespace
 

@@ -110,7 +110,7 @@ TEST_CASE("every setting of the physics at either end of its range gives a verdi
 TEST_CASE("random extremes of the world, the physics and the body give a verdict",
           "[evolution][extremes]") {
     int completed = 0;
-    const std::uint64_t rounds = test::by_build<std::uint64_t>(300, 100);
+    const std::uint64_t rounds = test::by_build<std::uint64_t>(300, 50);
     for (std::uint64_t round = 0; round < rounds; ++round) {
         RandomStream random(stream_seed({round, 7, 2}));
         ExperimentSettings settings;

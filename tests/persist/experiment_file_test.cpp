@@ -8,6 +8,7 @@
 #include "persist/records/experiment_schema.h"
 #include "persist/settings/settings_file.h"
 #include "persist/steered_run.h"
+#include "support/build_speed.h"
 #include "support/temporary_directory.h"
 
 #include <algorithm>
@@ -153,7 +154,7 @@ TEST_CASE("resumed at any generation a run goes on as if never stopped",
     const std::string selection =
         GENERATE("truncation", "roulette", "novelty", "map-elites", "age-protection");
     const TemporaryDirectory folder;
-    constexpr std::size_t kGenerations = 6;
+    constexpr std::size_t kGenerations = by_build<std::size_t>(6, 4);
     ExperimentSettings settings = small_settings(selection);
     settings.terminate_early = selection == "truncation";
     const auto steering = some_steering(settings);

@@ -1,6 +1,7 @@
 // The museum of a preserve.
 #include "preserve/museum.h"
 
+#include "support/build_speed.h"
 #include "support/temporary_directory.h"
 #include "worlds.h"
 
@@ -54,7 +55,7 @@ TEST_CASE("the founder of a lineage with twenty living members comes into the mu
 TEST_CASE("the parent of most living children comes into the museum every ten minutes",
           "[preserve][museum]") {
     ExperimentSettings settings = fertile_world();
-    settings.preserve.max_population = 10;
+    settings.preserve.max_population = by_build(10, 4);
     const TemporaryDirectory folder;
     const auto path = folder.path() / "pond.cambrian";
     KeptWorld world = kept_in(path, settings);

@@ -94,15 +94,19 @@ int run_plan(const Options& options) {
     const EvolutionKinds kinds = builtin_kinds();
     const std::vector<RunSpec> runs = still_to_run(options.plan, *done);
     RunTables tables(options.folder);
-    std::atomic<bool> kept = true;
+    std::atomic<bool> complete = true;
     ThreadPool pool(options.threads);
     pool.parallel_for(runs.size(), [&](std::size_t index, std::size_t /*worker*/) {
         const auto result = perform(runs[index], kinds, champions);
-        if (!result) std::fprintf(stderr, "%s\n", result.error().message.c_str());
-        if (!result || !tables.keep(*result)) kept = false;
+        if (!result) {
+            std::fprintf(stderr, "%s\n", result.error().message.c_str());
+            complete = false;
+        } else if (!tables.keep(*result)) {
+            std::fprintf(stderr, "%s: a run could not be written\n", options.folder.c_str());
+            complete = false;
+        }
     });
-    if (!kept) return refuse({options.folder.string() + ": a run could not be written"});
-    return 0;
+    return complete ? 0 : kBadInput;
 }
 
 int write_report(const Options& options) {

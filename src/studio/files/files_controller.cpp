@@ -227,6 +227,12 @@ void FilesController::open_now(const std::filesystem::path& path, ExhibitSource 
         services_.feedback.log().write("loaded", {{"path", path.string()}});
 }
 
+void FilesController::open_sample(const std::string& name) {
+    const std::filesystem::path sample = samples_folder_ / (name + ".creature.json");
+    std::error_code ignored;
+    if (std::filesystem::exists(sample, ignored)) open_now(sample, ExhibitSource::kSample);
+}
+
 void FilesController::reopen(const std::filesystem::path& path) {
     reopening_ = true;
     file_service_.load(path);
