@@ -214,6 +214,33 @@ class Garbage(ClusterTest):
         client.close()
 
 
+    def test_more_answers_than_a_worker_asked_for_do_not_damage_it(self):
+        """The C library checks the worker's memory, and ends it if something was written beyond a
+        block."""
+        server = self.start_server()
+        run = self.evolve("answers", "--cluster", server.url, settings=ENDLESS)
+        worker = self.start("worker", server.url, "--threads", 4, "--priority", "normal",
+                            env={"LD_PRELOAD": "libc_malloc_debug.so.0",
+                                 "GLIBC_TUNABLES": "glibc.malloc.check=3"})
+        self.wait_for_results(server)
+        client = server.client()
+        client.subscribe("$JS.API.CONSUMER.MSG.NEXT.cambrian-WORK.workers")
+        asked = 0
+        end = time.monotonic() + 60
+        while asked < 20 and time.monotonic() < end:
+            client.flush()
+            for reply in client.replies:
+                for _ in range(13):
+                    client.publish(reply, b"garbage")
+            asked += len(client.replies)
+            time.sleep(0.01)
+        client.close()
+        self.assertGreaterEqual(asked, 20)
+        self.wait_for_results(server)
+        self.assertIsNone(worker.poll(), worker.log.read_text())
+        self.end_and_compare(run, "answers", ENDLESS)
+
+
 class Mistakes(ClusterTest):
     """Each mistake on the command line gives one message at once."""
 

@@ -106,6 +106,7 @@ class NatsClient:
         self.send(f"CONNECT {json.dumps(options)}\r\nPING\r\n".encode())
         self.errors = []
         self.messages = []
+        self.replies = []  # subjects on which the senders of messages expect answers
         self.until_pong()
 
     def close(self):
@@ -135,11 +136,14 @@ class NatsClient:
                 self.errors.append(line.decode().strip())
             elif line.startswith((b"MSG", b"HMSG")):
                 body = self.lines.read(int(line.split()[-1]) + 2)[:-2]
-                self.messages.append((line.split()[1].decode(), body))
+                fields = line.decode().split()
+                self.messages.append((fields[1], body))
+                if len(fields) == (5 if fields[0] == "MSG" else 6):
+                    self.replies.append(fields[3])
 
     def flush(self):
         """Returns the server's errors and messages about everything sent before."""
-        self.errors, self.messages = [], []
+        self.errors, self.messages, self.replies = [], [], []
         self.send(b"PING\r\n")
         self.until_pong()
         return self.errors, self.messages

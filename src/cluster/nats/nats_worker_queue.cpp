@@ -1,6 +1,7 @@
 // The worker's side of work_queue.h over NATS JetStream.
 #include "cluster/connection/cluster_connection.h"
 #include "cluster/nats/nats_link.h"
+#include "cluster/nats/nats_pull.h"
 #include "cluster/nats/nats_streams.h"
 #include "cluster/nats/nats_subjects.h"
 #include "cluster/nats/nats_subscription.h"
@@ -18,6 +19,7 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kMostEndedRuns = 64;
+constexpr std::size_t kMostUnitsAtOnce = 1000;
 constexpr int kMostHellosHeard = 1024;  // messages not yet polled
 constexpr std::chrono::milliseconds kLongestFetch{1000};
 constexpr std::chrono::milliseconds kPauseWithoutStream{500};
@@ -25,7 +27,7 @@ constexpr std::chrono::milliseconds kPauseWithoutStream{500};
 // The subscriptions of a worker on one connection.
 struct WorkerSubscriptions {
     NatsSessionPtr session;
-    std::shared_ptr<NatsSubscription> work;
+    std::shared_ptr<NatsPull> work;
     std::shared_ptr<NatsSubscription> hellos;
     std::shared_ptr<NatsSubscription> stops;
 };
@@ -65,11 +67,6 @@ private:
     void hear_stops(const WorkerSubscriptions& from);
     bool has_ended(std::uint64_t run);
     void answer(std::uint64_t ticket, const std::string& word, bool last);
-    // Waits for one unit, then takes the others that are available.
-    std::vector<Delivery> take(const WorkerSubscriptions& from, int most,
-                               std::chrono::milliseconds longest);
-    bool request(const WorkerSubscriptions& from, jsFetchRequest& wanted,
-                 std::vector<Delivery>& deliveries);
     void deliver(natsMsg& message, std::vector<Delivery>& deliveries);
 
     const NatsSubjects subjects_;
@@ -95,21 +92,13 @@ std::optional<LinkFailure> NatsWorkerQueue::prepare(const NatsSessionPtr& sessio
     if (status != NATS_OK) return request_failure(*session, status, code, "stream " + stream);
     const auto before = subscriptions();
     if (before && before->session == session && before->work->valid()) return std::nullopt;
-    jsSubOptions options;
-    jsSubOptions_Init(&options);
-    options.Stream = stream.c_str();
-    options.Consumer = NatsSubjects::kConsumer;
-    natsSubscription* work = nullptr;
-    status = js_PullSubscribe(&work, session->jetstream(), nullptr, NatsSubjects::kConsumer,
-                              nullptr, &options, &code);
-    if (status != NATS_OK) return request_failure(*session, status, code, "stream " + stream);
     auto made = std::make_shared<WorkerSubscriptions>();
     made->session = session;
-    made->work = std::make_shared<NatsSubscription>(session, work);
+    made->work = NatsPull::open(session, stream, NatsSubjects::kConsumer);
     made->hellos =
         NatsSubscription::plain(session, subjects_.coordinator_hellos(), kMostHellosHeard);
     made->stops = NatsSubscription::plain(session, subjects_.all_stops(), kMostHellosHeard);
-    if (!made->hellos || !made->stops) return LinkFailure{last_nats_error(), false};
+    if (!made->work || !made->hellos || !made->stops) return LinkFailure{last_nats_error(), false};
     const std::lock_guard lock(mutex_);
     subscriptions_ = std::move(made);
     return std::nullopt;
@@ -138,35 +127,6 @@ void NatsWorkerQueue::deliver(natsMsg& message, std::vector<Delivery>& deliverie
     deliveries.push_back(std::move(delivery));
 }
 
-// Returns false if the request cannot be sent.
-bool NatsWorkerQueue::request(const WorkerSubscriptions& from, jsFetchRequest& wanted,
-                              std::vector<Delivery>& deliveries) {
-    natsMsgList list{};
-    const natsStatus status = natsSubscription_FetchRequest(&list, from.work->get(), &wanted);
-    for (int i = 0; i < list.Count; ++i)
-        deliver(*list.Msgs[i], deliveries);
-    natsMsgList_Destroy(&list);
-    return status == NATS_OK || status == NATS_TIMEOUT || status == NATS_NOT_FOUND;
-}
-
-std::vector<Delivery> NatsWorkerQueue::take(const WorkerSubscriptions& from, int most,
-                                            std::chrono::milliseconds longest) {
-    std::vector<Delivery> deliveries;
-    jsFetchRequest wanted;
-    jsFetchRequest_Init(&wanted);
-    wanted.Batch = most;
-    wanted.NoWait = true;
-    wanted.Expires = std::chrono::nanoseconds(longest).count();
-    bool asked = request(from, wanted, deliveries);
-    if (asked && deliveries.empty()) {
-        wanted.Batch = 1;
-        wanted.NoWait = false;
-        asked = request(from, wanted, deliveries);
-    }
-    if (!asked) link_.renew(kPauseWithoutStream);
-    return deliveries;
-}
-
 std::vector<Delivery> NatsWorkerQueue::fetch(std::size_t most, std::chrono::milliseconds longest) {
     longest = std::clamp(longest, std::chrono::milliseconds(1), kLongestFetch);
     const NatsSessionPtr session = link_.ready();
@@ -175,7 +135,15 @@ std::vector<Delivery> NatsWorkerQueue::fetch(std::size_t most, std::chrono::mill
         link_.wait(longest);
         return {};
     }
-    return take(*from, static_cast<int>(std::min<std::size_t>(most, 1000)), longest);
+    const auto messages = from->work->fetch(std::min(most, kMostUnitsAtOnce), longest);
+    std::vector<Delivery> deliveries;
+    if (!messages) {
+        link_.renew(kPauseWithoutStream);
+        return deliveries;
+    }
+    for (const auto& message : *messages)
+        deliver(*message, deliveries);
+    return deliveries;
 }
 
 // A lost acknowledgement only leads to another delivery.
