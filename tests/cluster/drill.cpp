@@ -84,7 +84,7 @@ constexpr double kDuration = by_build(2.0, 0.6);  // s of a trial
 ExperimentSettings drill_settings() {
     ExperimentSettings settings;
     settings.seed = 7;
-    settings.population.size = 60;
+    settings.population.size = by_build(60, 30);
     settings.generations = 12;
     settings.world.environment = kinds().goals.find(settings.goal)->default_environment();
     settings.world.trial.duration = kDuration;
