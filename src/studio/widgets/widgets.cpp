@@ -194,14 +194,21 @@ void section(const char* title) {
 }
 
 void fact(const std::string& label, const std::string& value) {
-    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    const float left = ImGui::GetCursorPosX();
+    const float right = left + ImGui::GetContentRegionAvail().x;
     {
         const WithTextColor color(colors().muted);
         ImGui::TextUnformatted(label.c_str());
     }
-    const float room = right - ImGui::GetCursorPosX() - ImGui::GetItemRectSize().x - px(12);
-    const std::string shown = fit_text(value, room);
-    ImGui::SameLine(right - ImGui::CalcTextSize(shown.c_str()).x);
+    const float beside = right - left - ImGui::GetItemRectSize().x - px(12);
+    const bool fits_beside = ImGui::CalcTextSize(value.c_str()).x <= beside;
+    const std::string shown = fits_beside ? value : fit_text(value, right - left);
+    const float start = right - ImGui::CalcTextSize(shown.c_str()).x;
+    if (fits_beside) {
+        ImGui::SameLine(start);
+    } else {
+        ImGui::SetCursorPosX(start);
+    }
     ImGui::TextUnformatted(shown.c_str());
     if (shown != value) tooltip(value);
 }

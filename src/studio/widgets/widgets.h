@@ -54,7 +54,8 @@ void caption(const std::string& text);
 void panel_title(const std::string& text);
 // Draws a line and the title of the section below it.
 void section(const char* title);
-// Draws "label   value" on one line, with the value at the right.
+// Draws "label   value", with the value at the right: on the next line if there is no room beside
+// the label.
 void fact(const std::string& label, const std::string& value);
 // Draws wrapped text in the small font and the muted colour.
 void muted_text(const std::string& text);
