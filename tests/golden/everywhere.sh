@@ -42,18 +42,15 @@ native_avx2() {
 
 without_window=-DCAMBRIAN_BUILD_STUDIO=OFF
 
-platform() {
+# Builds the program for a platform.
+build_for() {
   local own=build/everywhere/$1
   case $1 in
-    release) build release build/release && check build/release ;;
-    debug) build debug "$own" "$without_window" && check "$own" ;;
-    clang) build clang "$own" "$without_window" && check "$own" ;;
-    clang-avx2)
-      build clang "$own" "$without_window" -DCMAKE_CXX_FLAGS=-march=x86-64-v3 &&
-        check "$own" native_avx2
-      ;;
-    old-cpu) build release build/release && check build/release qemu-x86_64 -cpu core2duo ;;
-    aarch64) build aarch64 build/aarch64 && check build/aarch64 qemu-aarch64 -L /usr/aarch64-linux-gnu ;;
+    release | old-cpu) build release build/release ;;
+    debug) build debug "$own" "$without_window" ;;
+    clang) build clang "$own" "$without_window" ;;
+    clang-avx2) build clang "$own" "$without_window" -DCMAKE_CXX_FLAGS=-march=x86-64-v3 ;;
+    aarch64) build aarch64 build/aarch64 ;;
     *)
       echo "everywhere.sh: no platform '$1'; there are ${all[*]}" >&2
       return 1
@@ -61,11 +58,38 @@ platform() {
   esac
 }
 
+# Runs it there.
+check_on() {
+  local own=build/everywhere/$1
+  case $1 in
+    release) check build/release ;;
+    debug | clang) check "$own" ;;
+    clang-avx2) check "$own" native_avx2 ;;
+    old-cpu) check build/release qemu-x86_64 -cpu core2duo ;;
+    aarch64) check build/aarch64 qemu-aarch64 -L /usr/aarch64-linux-gnu ;;
+  esac
+}
+
 [ $# -gt 0 ] || set -- "${all[@]}"
 failed=()
+built=()
 for name in "$@"; do
   printf -- '-- %s\n' "$name"
-  platform "$name" || failed+=("$name")
+  if build_for "$name"; then built+=("$name"); else failed+=("$name"); fi
+done
+
+# Emulators use one core most of the time, so all platforms are checked at once.
+reports=$(mktemp -d)
+trap 'rm -rf "$reports"' EXIT
+for name in "${built[@]}"; do
+  check_on "$name" >"$reports/$name" 2>&1 &
+  checks[$!]=$name
+done
+for process in "${!checks[@]}"; do
+  name=${checks[$process]}
+  wait "$process" || failed+=("$name")
+  printf -- '-- %s: ' "$name"
+  cat "$reports/$name"
 done
 if [ ${#failed[@]} -gt 0 ]; then
   echo "everywhere.sh: failed on ${failed[*]}" >&2
