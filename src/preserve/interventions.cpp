@@ -22,10 +22,24 @@ constexpr double kEraseDistance = 0.5;       // m; from a wall
 constexpr double kGoldenTurn = 2.399963230;  // rad, between two plants of a spiral
 
 // Returns the place nearest to the one asked for at which a circle is between the walls.
-Vec3 place_between_walls(const WalledArea& area, const Vec3& asked, double radius) {
+Vec3 place_between_walls(const WorldArea& area, const Vec3& asked, double radius) {
     const double x = std::max(0.5 * area.width - radius, 0.0);
     const double y = std::max(0.5 * area.height - radius, 0.0);
-    return {std::clamp(asked.x(), -x, x), std::clamp(asked.y(), -y, y), 0.0};
+    const Vec3 middle = area.middle();
+    return {std::clamp(asked.x(), -x, x), std::clamp(asked.y(), middle.y() - y, middle.y() + y),
+            0.0};
+}
+
+// Returns how far the next place to look for room is from the first one, for a circle: on a spiral
+// or, on ground, to both sides in turn.
+Vec3 next_place(const WorldArea& area, double radius, int index) {
+    if (area.has_ground) {
+        const double side = index % 2 == 0 ? 0.25 : -0.25;
+        return {side * radius * (index + index % 2), 0.0, 0.0};
+    }
+    const SineCosine turn = sine_cosine(kGoldenTurn * static_cast<double>(index));
+    const double distance = radius * std::sqrt(static_cast<double>(index));
+    return distance * Vec3(turn.cosine, turn.sine, 0.0);
 }
 
 std::string joules_text(Energy energy) {
@@ -94,15 +108,15 @@ void Preserve::use_laws(SettingsPtr laws) {
         each->scene().set_environment(laws_->world.environment);
 }
 
-// Returns the first place with room, between the walls, on a spiral around the one asked for.
+// Returns the first place with room, between the walls, from the one asked for outwards.
 std::optional<Vec3> Preserve::room_near(const Vec3& asked, const Resident& resident,
                                         const Room& room) const {
     constexpr int kPlaces = 64;
     for (int i = 0; i < kPlaces; ++i) {
-        const SineCosine turn = sine_cosine(kGoldenTurn * static_cast<double>(i));
-        const double distance = resident.radius() * std::sqrt(static_cast<double>(i));
-        const Vec3 place = place_between_walls(
-            area_, asked + distance * Vec3(turn.cosine, turn.sine, 0.0), resident.radius());
+        const Vec3 place =
+            footing(place_between_walls(area_, asked + next_place(area_, resident.radius(), i),
+                                        resident.radius()),
+                    resident);
         const Vec3 shift = place - resident.center();
         const Bounds& present = resident.bounds();
         const Bounds bounds{present.low + shift, present.high + shift};
@@ -141,7 +155,7 @@ Result<std::uint64_t> Preserve::build_wall(const WallLine& wall) {
     if (walls_.lines().size() == static_cast<std::size_t>(kMostFixedBoxes))
         return Error{
             fmt::format("There are {} walls already, the most there can be.", kMostFixedBoxes)};
-    if (const Status sound = check_wall(wall, area_.width, area_.height); !sound)
+    if (const Status sound = check_wall(wall, area_); !sound)
         return Error{fmt::format("This wall cannot be built: {}.", sound.error().message)};
     std::vector<WallLine> lines = walls_.lines();
     lines.push_back(wall);

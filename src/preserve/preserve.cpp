@@ -56,13 +56,13 @@ Preserve::Preserve(SettingsPtr settings, const EvolutionKinds& kinds,
       laws_(settings_),
       kinds_(kinds),
       founders_(std::move(founders)),
-      area_{settings_->preserve.width, settings_->preserve.height},
+      area_(area_of(settings_->preserve, settings_->world.environment)),
       constant_(energy_of(settings_->preserve.energy_density * area_.width * area_.height)),
       senses_(area_, settings_->world.environment),
       walls_(checked(walls_of(settings_->preserve.walls))),
       patches_(checked(patches_of(settings_->preserve.patches))),
-      plants_(area_),
-      flesh_(area_),
+      plants_(area_.up_to(settings_->preserve.plant_height)),
+      flesh_(area_.up_to(0.0)),
       ambient_(constant_) {
     CAMBRIAN_ASSERT(!founders_.empty(), "a preserve has founders");
     if (is_solid(settings_->preserve))
@@ -118,18 +118,23 @@ Status Preserve::found() {
     return {};
 }
 
-// Returns where a plant grows: anywhere or, if there are patches of light, around one of them.
+// Returns where a plant grows: anywhere or, if there are patches of light, around one of them. On
+// ground, the height of a plant does not depend on light.
 Vec3 Preserve::draw_bright_place(RandomStream& draws) const {
+    const auto draw_y = [&] {
+        return area_.has_ground ? settings_->preserve.plant_height * draws.uniform()
+                                : area_.height * (draws.uniform() - 0.5);
+    };
     for (int draw = 0; draw < kPlantPlaceDraws && !patches_.empty(); ++draw) {
         const LightPatch& patch = patches_[draws.below(patches_.size())];
         const double x = draws.gauss();
         const double y = draws.gauss();
         Vec3 place = patch.center + patch.spread * Vec3(x, y, 0.0);
+        if (area_.has_ground) place.y() = draw_y();
         if (area_.holds(place, 0.0)) return place;
     }
     const double x = area_.width * (draws.uniform() - 0.5);
-    const double y = area_.height * (draws.uniform() - 0.5);
-    return {x, y, 0.0};
+    return {x, draw_y(), 0.0};
 }
 
 void Preserve::add_plant(RandomStream& draws) {
@@ -173,12 +178,12 @@ Result<std::unique_ptr<Resident>> Preserve::newcomer(std::size_t place, std::str
     for (int draw = 0; draw < (is_crowded ? kCrowdedPlaceDraws : kPlaceDraws); ++draw) {
         const double x = area_.width * (draws.uniform() - 0.5);
         const double y = area_.height * (draws.uniform() - 0.5);
-        resident.place(Vec3(x, y, 0.0), Vec3::Zero());
+        resident.place(footing(Vec3(x, y, 0.0), resident), Vec3::Zero());
         if (!area_.holds(resident.center(), resident.radius())) continue;
         if (is_free(resident.bounds(), resident)) return grown;
         fits = true;
     }
-    resident.place(Vec3::Zero(), Vec3::Zero());
+    resident.place(footing(Vec3::Zero(), resident), Vec3::Zero());
     if (area_.holds(resident.center(), resident.radius()) && is_free(resident.bounds(), resident))
         return grown;
     if (fits) {
@@ -297,7 +302,7 @@ Status Preserve::restore(const PreserveState& state) {
     }
     if (state.walls.size() > static_cast<std::size_t>(kMostFixedBoxes)) return unsuitable;
     for (const WallLine& wall : state.walls) {
-        if (!check_wall(wall, area_.width, area_.height)) return unsuitable;
+        if (!check_wall(wall, area_)) return unsuitable;
     }
     tick_ = state.tick;
     next_number_ = state.next_number;
@@ -376,6 +381,11 @@ void Preserve::make_workspaces(std::size_t workers) {
         CAMBRIAN_ASSERT(scene.has_value(), "a resident's body suits physics");
         workspaces_[worker] = (*scene)->take_workspace();
     }
+}
+
+// Returns the place or, if there is ground, that of the resident standing below it.
+Vec3 Preserve::footing(const Vec3& place, const Resident& resident) const {
+    return area_.has_ground ? resident.standing_at(place.x()) : place;
 }
 
 // Returns whether walls and the other solid bodies leave room for a resident with these bounds.
@@ -494,19 +504,36 @@ void Preserve::try_birth(Resident& parent) {
     bear(parent, std::move(*child), draws);
 }
 
+// Returns a place on a circle around the parent or, on ground, beside it: to both sides in turn,
+// farther and farther away.
+Vec3 Preserve::birth_place(const Resident& parent, const Resident& child,
+                           const BirthTurn& turn) const {
+    const std::size_t which = (turn.first + turn.index) % kBirthPlaces;
+    if (!area_.has_ground) {
+        const double distance = parent.radius() + child.radius();
+        const double share = static_cast<double>(which) / kBirthPlaces;
+        const SineCosine direction = sine_cosine(2.0 * kPi * share);
+        return parent.center() + distance * Vec3(direction.cosine, direction.sine, 0.0);
+    }
+    const Bounds& own = child.bounds();
+    const auto steps = static_cast<double>(turn.index / 2);
+    const double away = kStartClearance + 0.5 * steps * (own.high.x() - own.low.x());
+    const double x = which % 2 == 0
+                         ? parent.bounds().high.x() + away + child.center().x() - own.low.x()
+                         : parent.bounds().low.x() - away + child.center().x() - own.high.x();
+    return child.standing_at(x);
+}
+
 // Places the child beside its parent, at the first of 16 places between the walls, on the same side
 // of those that were drawn.
 void Preserve::bear(Resident& parent, std::unique_ptr<Resident> child, RandomStream& stream) {
-    const double distance = parent.radius() + child->radius();
     const std::size_t first = stream.below(kBirthPlaces);
+    const Vec3 velocity = area_.has_ground ? Vec3(Vec3::Zero()) : parent.velocity();
     for (std::size_t i = 0; i < kBirthPlaces; ++i) {
-        const double turn = static_cast<double>((first + i) % kBirthPlaces) / kBirthPlaces;
-        const SineCosine direction = sine_cosine(2.0 * kPi * turn);
-        const Vec3 center =
-            parent.center() + distance * Vec3(direction.cosine, direction.sine, 0.0);
+        const Vec3 center = birth_place(parent, *child, {first, i});
         if (!area_.holds(center, child->radius()) || walls_.separate(parent.center(), center))
             continue;
-        child->place(center, parent.velocity());
+        child->place(center, velocity);
         if (!is_free(child->bounds(), *child)) continue;
         parent.store -= child->store + child->body;
         ++parent.life.children;

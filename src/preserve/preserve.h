@@ -103,6 +103,7 @@ private:
         const DrawnWalls& walls;
         std::span<const Bounds> taken = {};
     };
+    Vec3 footing(const Vec3& place, const Resident& resident) const;
     std::optional<Vec3> room_near(const Vec3& asked, const Resident& resident,
                                   const Room& room) const;
     void sense();
@@ -113,6 +114,11 @@ private:
     void end_life(Resident& resident, std::uint64_t tick);
     void breed();
     void try_birth(Resident& parent);
+    // One of the places around a parent, of which a turn drawn by chance is the first.
+    struct BirthTurn {
+        std::size_t first = 0, index = 0;
+    };
+    Vec3 birth_place(const Resident& parent, const Resident& child, const BirthTurn& turn) const;
     void bear(Resident& parent, std::unique_ptr<Resident> child, RandomStream& stream);
     void remember_lineage(std::uint64_t lineage);
     void remember_parent();
@@ -137,7 +143,7 @@ private:
     SettingsPtr laws_;      // the same with all changes so far
     const EvolutionKinds& kinds_;
     std::vector<GenomePtr> founders_;
-    WalledArea area_;
+    WorldArea area_;
     Energy constant_;
     CommonSenses senses_;
     DrawnWalls walls_;

@@ -23,17 +23,22 @@ using setting_table::TableBuilder;
 constexpr std::array<std::string_view, 5> kForeignTables = {"goal", "trial", "population",
                                                             "selection", "run"};
 
+bool has_ground(const Settings& settings) {
+    return settings.world.environment.has_ground;
+}
+
 void add_world(TableBuilder& table) {
     table.number(
         "width", "Width", "m", Range{5, 1000}, "The distance of the left and the right wall.",
         [](Settings & s) -> auto& { return s.preserve.width; });
     table.number(
-        "height", "Height", "m", Range{5, 1000}, "The distance of the lower and the upper wall.",
+        "height", "Height", "m", Range{5, 1000},
+        "The distance from the lower wall or, if there is one, the ground to the upper wall.",
         [](Settings & s) -> auto& { return s.preserve.height; });
     table.choice(
         "bodies", "Bodies", {"solid", "ghostly"},
         "Solid creatures push each other, and bite what they touch. Ghostly ones pass through each "
-        "other, and bite what they overlap.",
+        "other, and bite what they overlap. They are ghostly by default where there is ground.",
         [](Settings & s) -> auto& { return s.preserve.bodies; });
     table.number(
         "founders", "Founders", "creatures", Range{1, 1000},
@@ -57,6 +62,12 @@ void add_energy(TableBuilder& table) {
     table.number(
         "plant-energy", "Energy of a plant", "J", Range{0.1, 1e4}, "The energy of one plant.",
         [](Settings & s) -> auto& { return s.preserve.plant_energy; });
+    table
+        .number(
+            "plant-height", "Height of plants", "m", Range{0, 100},
+            "The height above the ground up to which plants grow. Flesh lies on the ground.",
+            [](Settings & s) -> auto& { return s.preserve.plant_height; })
+        .applies = has_ground;
     table.number(
         "growth-time", "Growth time", "s", Range{1, 1e6},
         "The time constant at which the energy of the light becomes plants.",
@@ -128,15 +139,15 @@ Status is_read_by(const std::string& text) {
 void add_places(TableBuilder& table) {
     SettingField& walls = table.choice(
         "walls", "Walls", {},
-        "Walls within the world, each with the x and y of both ends. The middle of the world is 0 "
-        "0.",
+        "Walls within the world, each with the x and y of both ends. The middle of the world or, "
+        "if there is ground, the middle of the ground is 0 0.",
         [](Settings & s) -> auto& { return s.preserve.walls; });
     walls.format = "\"x y x y; ...\" in m, at most 64";
     walls.check_text = is_read_by<walls_of>;
     SettingField& patches = table.choice(
         "patches", "Patches of light", {},
         "Bright places, each with the x and y of its middle and the standard deviation of where "
-        "its plants grow. Without any, plants grow everywhere alike.",
+        "its plants grow. On ground only x counts. Without any, plants grow everywhere alike.",
         [](Settings & s) -> auto& { return s.preserve.patches; });
     patches.format = "\"x y spread; ...\" in m, at most 64";
     patches.check_text = is_read_by<patches_of>;
@@ -145,27 +156,25 @@ void add_places(TableBuilder& table) {
 // Checks each item of a text; `noun` is what one is called.
 template <class Item>
 Status check_each(const Result<std::vector<Item>>& items, const char* key, const char* noun,
-                  const PreserveSettings& laws, Status (*check)(const Item&, double, double)) {
+                  const WorldArea& area, Status (*check)(const Item&, const WorldArea&)) {
     if (!items) return Error{fmt::format("[preserve] {}: {}", key, items.error().message)};
     for (std::size_t i = 0; i < items->size(); ++i) {
-        if (const Status sound = check((*items)[i], laws.width, laws.height); !sound)
+        if (const Status sound = check((*items)[i], area); !sound)
             return Error{
                 fmt::format("[preserve] {}: {} {}: {}", key, noun, i + 1, sound.error().message)};
     }
     return {};
 }
 
-Status check_places(const PreserveSettings& laws) {
-    if (Status walls = check_each(walls_of(laws.walls), "walls", "wall", laws, check_wall); !walls)
+Status check_places(const Settings& s) {
+    const PreserveSettings& laws = s.preserve;
+    const WorldArea area = area_of(laws, s.world.environment);
+    if (Status walls = check_each(walls_of(laws.walls), "walls", "wall", area, check_wall); !walls)
         return walls;
-    return check_each(patches_of(laws.patches), "patches", "patch", laws, check_patch);
+    return check_each(patches_of(laws.patches), "patches", "patch", area, check_patch);
 }
 
 Status check_world(const Settings& s) {
-    if (s.world.environment.has_ground)
-        return Error{
-            "[environment] ground: a preserve with ground does not exist yet; expected "
-            "false"};
     if (s.world.environment.has_light && s.world.environment.light_motion != "still")
         return Error{
             fmt::format("[environment] light-motion: a preserve's light does not move; "
@@ -191,9 +200,13 @@ std::vector<SettingField> preserve_fields(const EvolutionKinds& kinds) {
     return fields;
 }
 
-ExperimentSettings preserve_defaults(const EvolutionKinds& kinds) {
+ExperimentSettings preserve_defaults(const EvolutionKinds& kinds, bool has_ground) {
     ExperimentSettings settings;
-    settings.world.environment = water();
+    if (has_ground) {
+        settings.preserve.bodies = "ghostly";
+    } else {
+        settings.world.environment = water();
+    }
     settings.founders.rhythmic_share = 0.0;
     for (const OrganKind& organ : kinds.creature.organs.all()) {
         if (organ.eats) settings.founders.organs[organ.id] = true;
@@ -207,7 +220,7 @@ Status check_preserve(const ExperimentSettings& settings, const EvolutionKinds& 
         if (Status fault = setting_table::check_field(field, field.at(copy)); !fault) return fault;
     }
     if (Status world = check_world(settings); !world) return world;
-    if (Status places = check_places(settings.preserve); !places) return places;
+    if (Status places = check_places(settings); !places) return places;
     if (Status order = setting_table::check_founders(settings); !order) return order;
     return setting_table::check_creatures(settings, kinds);
 }

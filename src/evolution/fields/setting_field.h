@@ -21,9 +21,10 @@ std::vector<SettingField> setting_fields(const EvolutionKinds& kinds);
 Status check_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds);
 
 // Return the same for a preserve: the settings that a preserve has, those that a file may leave
-// out, and an error for the first one that is not allowed.
+// out, and an error for the first one that is not allowed. The defaults of a world with ground are
+// those of land, others are those of water.
 std::vector<SettingField> preserve_fields(const EvolutionKinds& kinds);
-ExperimentSettings preserve_defaults(const EvolutionKinds& kinds);
+ExperimentSettings preserve_defaults(const EvolutionKinds& kinds, bool has_ground = false);
 Status check_preserve(const ExperimentSettings& settings, const EvolutionKinds& kinds);
 
 // Returns a sentence for each setting that is allowed but makes little sense.

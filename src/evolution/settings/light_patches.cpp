@@ -5,8 +5,6 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-
 namespace cambrian {
 
 Result<std::vector<LightPatch>> patches_of(std::string_view text) {
@@ -20,11 +18,9 @@ Result<std::vector<LightPatch>> patches_of(std::string_view text) {
     return patches;
 }
 
-Status check_patch(const LightPatch& patch, double width, double height) {
-    if (std::fabs(patch.center.x()) > 0.5 * width || std::fabs(patch.center.y()) > 0.5 * height) {
-        return Error{fmt::format("its middle is outside the world, which has {} m x {} m",
-                                 short_text(width), short_text(height))};
-    }
+Status check_patch(const LightPatch& patch, const WorldArea& area) {
+    if (!area.contains(patch.center))
+        return Error{"its middle is outside the world, which has " + size_text(area)};
     if (patch.spread >= kLeastSpread && patch.spread <= kMostSpread) return {};
     return Error{fmt::format("its spread is {} m; expected {} m to {} m", short_text(patch.spread),
                              short_text(kLeastSpread), short_text(kMostSpread))};

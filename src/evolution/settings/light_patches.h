@@ -3,6 +3,7 @@
 // The bright places of a preserve, as its settings name them.
 
 #include "core/result.h"
+#include "evolution/settings/world_area.h"
 #include "math/types.h"
 
 #include <string_view>
@@ -14,16 +15,16 @@ inline constexpr std::size_t kMostPatches = 64;
 inline constexpr double kLeastSpread = 0.1;  // m
 inline constexpr double kMostSpread = 500.0;
 
-// Plants grow around its middle with this standard deviation along x and along y.
+// Plants grow around its middle with this standard deviation along x and, without ground, along y.
 struct LightPatch {
-    Vec3 center = Vec3::Zero();  // m; the middle of the world is the origin
+    Vec3 center = Vec3::Zero();  // m
     double spread = 1.0;         // m
 };
 
 // Reads "x y spread; x y spread", in m. An empty text has none.
 Result<std::vector<LightPatch>> patches_of(std::string_view text);
 
-// Fails if the spread is out of its range, or the middle is not in a world of this size (m).
-Status check_patch(const LightPatch& patch, double width, double height);
+// Fails if the spread is out of its range, or the middle is not within the world.
+Status check_patch(const LightPatch& patch, const WorldArea& area);
 
 }  // namespace cambrian

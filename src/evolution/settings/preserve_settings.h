@@ -14,6 +14,7 @@ struct PreserveSettings {
     int restock = 8;                // random immigrants come below so many creatures; 0 for never
     double energy_density = 50.0;   // J/m^2; all energy there is, over the area
     double plant_energy = 10.0;     // J of one plant
+    double plant_height = 0.5;      // m; with ground, up to which plants grow
     double growth_time = 120.0;     // s; time constant at which light becomes plants
     double efficiency = 1.0;        // share of the spent energy that becomes work of the motors
     double body_upkeep = 0.5;       // W/kg

@@ -6,17 +6,7 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-
 namespace cambrian {
-namespace {
-
-bool is_within(const Vec3& point, double width, double height) {
-    return std::fabs(point.x()) <= 0.5 * width && std::fabs(point.y()) <= 0.5 * height;
-}
-
-}  // namespace
-
 Result<std::vector<WallLine>> walls_of(std::string_view text) {
     const auto rows = number_rows(text, {4, static_cast<std::size_t>(kMostFixedBoxes), "wall",
                                          "\"x y x y; ...\", the ends of each in m"});
@@ -27,11 +17,9 @@ Result<std::vector<WallLine>> walls_of(std::string_view text) {
     return walls;
 }
 
-Status check_wall(const WallLine& wall, double width, double height) {
-    if (!is_within(wall.from, width, height) || !is_within(wall.to, width, height)) {
-        return Error{fmt::format("an end is outside the world, which has {} m x {} m",
-                                 short_text(width), short_text(height))};
-    }
+Status check_wall(const WallLine& wall, const WorldArea& area) {
+    if (!area.contains(wall.from) || !area.contains(wall.to))
+        return Error{"an end is outside the world, which has " + size_text(area)};
     const double length = (wall.to - wall.from).norm();
     if (length >= kLeastWall) return {};
     return Error{fmt::format("it is {} m long; expected at least {} m", short_text(length),

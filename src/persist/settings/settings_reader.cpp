@@ -139,6 +139,7 @@ Result<ExperimentSettings> merge_settings(const std::vector<SettingsText>& texts
     const bool preserve = use == SettingsUse::kPreserve;
     std::vector<toml::table> documents;
     std::string goal;
+    bool has_ground = false;
     for (const auto& [text, source] : texts) {
         ErrorList errors;
         toml::parse_result document = toml::parse(text);
@@ -154,13 +155,14 @@ Result<ExperimentSettings> merge_settings(const std::vector<SettingsText>& texts
             return errors.as_error(source);
         }
         goal = document["goal"]["behavior"].value_or(goal);
+        has_ground = document["environment"]["ground"].value_exact<bool>().value_or(has_ground);
         documents.push_back(std::move(document).table());
     }
     ErrorList errors;
     if (kinds.goals.find(goal) == nullptr) goal.clear();
-    SettingsReader reader(preserve ? preserve_fields(kinds) : setting_fields(kinds),
-                          preserve ? preserve_defaults(kinds) : default_settings(goal, kinds),
-                          errors);
+    SettingsReader reader(
+        preserve ? preserve_fields(kinds) : setting_fields(kinds),
+        preserve ? preserve_defaults(kinds, has_ground) : default_settings(goal, kinds), errors);
     std::string sources;
     for (std::size_t i = 0; i < documents.size(); ++i) {
         reader.read(documents[i]);

@@ -17,7 +17,7 @@ constexpr const char* kExperimentHead =
     "# go with the goal.\n";
 constexpr const char* kPreserveHead =
     "# The settings of one preserve: `cambrian preserve THIS-FILE` runs it.\n"
-    "# A key left out has its default.\n";
+    "# A key left out has its default; those of bodies and [environment] go with ground.\n";
 
 // Returns the allowed values in words: "0 to 1000 m/s^2", "walking, swimming".
 std::string allowed(const SettingField& field, const SettingValue& value) {
@@ -52,13 +52,16 @@ std::string write_settings(const ExperimentSettings& settings, const EvolutionKi
     const bool preserve = use == SettingsUse::kPreserve;
     std::string text = preserve ? kPreserveHead : kExperimentHead;
     const ExperimentSettings defaults =
-        preserve ? preserve_defaults(kinds) : default_settings(settings.goal, kinds);
+        preserve ? preserve_defaults(kinds, settings.world.environment.has_ground)
+                 : default_settings(settings.goal, kinds);
+    // The defaults of what decides the others.
+    const ExperimentSettings base = preserve ? preserve_defaults(kinds) : ExperimentSettings{};
     std::string table;
     for (const SettingField& field : preserve ? preserve_fields(kinds) : setting_fields(kinds)) {
         if (field.table != table) text += fmt::format("\n[{}]\n", field.table);
         table = field.table;
-        const bool goal = field.table == "goal";
-        text += line(field, settings, goal ? ExperimentSettings{} : defaults);
+        const bool decides = preserve ? field.key == "ground" : field.table == "goal";
+        text += line(field, settings, decides ? base : defaults);
     }
     return text;
 }

@@ -16,17 +16,20 @@ constexpr double kPlantRadius = 0.07;   // m
 constexpr double kLeastDot = 1.6;       // pixels
 constexpr double kMostFlesh = 0.35;     // m
 constexpr double kFleshOfJoule = 0.05;  // m; radius of 1 J
+constexpr double kStalkWidth = 0.02;    // m
 constexpr double kWallPixels = 3.0;
 const Color kPlantColor = color_of(0x2FA36B);
 const Color kPatchColor = color_of(0xE8C468);
+const Color kStalkColor = color_of(0x2C7A54);
 const Color kFleshColor = color_of(0xC8553D);
 
-// Paints what is beyond the walls, and the walls.
+// Paints what is beyond the walls and below the ground, and the walls.
 void add_walls(SceneFrame& frame, const Palette& palette, const Camera& camera,
-               const Viewport& viewport, const WalledArea& area) {
+               const Viewport& viewport, const WorldArea& area) {
     const WorldWindow window = camera.window(viewport);
     const double right = 0.5 * area.width;
-    const double top = 0.5 * area.height;
+    const double top = area.top();
+    const double bottom = area.bottom();
     const double wall = kWallPixels * camera.pixel();
     const auto fill = [&](double x0, double y0, double x1, double y1, const Color& color) {
         const Vec2 low(std::max(x0, window.low.x() - wall), std::max(y0, window.low.y() - wall));
@@ -38,11 +41,11 @@ void add_walls(SceneFrame& frame, const Palette& palette, const Camera& camera,
     fill(-kFar, -kFar, -right, kFar, palette.window);
     fill(right, -kFar, kFar, kFar, palette.window);
     fill(-kFar, top, kFar, kFar, palette.window);
-    fill(-kFar, -kFar, kFar, -top, palette.window);
-    fill(-right - wall, -top - wall, -right, top + wall, palette.ground_line);
-    fill(right, -top - wall, right + wall, top + wall, palette.ground_line);
+    fill(-kFar, -kFar, kFar, bottom, area.has_ground ? palette.ground : palette.window);
+    fill(-right - wall, bottom - wall, -right, top + wall, palette.ground_line);
+    fill(right, bottom - wall, right + wall, top + wall, palette.ground_line);
     fill(-right, top, right, top + wall, palette.ground_line);
-    fill(-right, -top - wall, right, -top, palette.ground_line);
+    fill(-right, bottom - wall, right, bottom, palette.ground_line);
 }
 
 double angle_of(const Rectangle& part) {
@@ -114,11 +117,18 @@ void add_drawn_walls(SceneFrame& frame, const Palette& palette, const PreservePi
 
 void add_food(SceneFrame& frame, const Camera& camera, const PreservePicture& picture) {
     const double least = kLeastDot * camera.pixel();
+    if (picture.area.has_ground) {
+        for (const Pellet& plant : picture.plants)
+            frame.add_line({plant.x, 0.0}, {plant.x, plant.y}, std::max(kStalkWidth, 0.5 * least),
+                           kStalkColor);
+    }
     for (const Pellet& plant : picture.plants)
         frame.add_circle({plant.x, plant.y}, std::max(kPlantRadius, least), kPlantColor);
     for (const Pellet& piece : picture.flesh) {
-        const double radius = kFleshOfJoule * std::sqrt(joules(piece.energy));
-        frame.add_circle({piece.x, piece.y}, std::clamp(radius, least, kMostFlesh), kFleshColor);
+        const double size = kFleshOfJoule * std::sqrt(joules(piece.energy));
+        const double radius = std::clamp(size, least, kMostFlesh);
+        const double lift = picture.area.has_ground ? radius : 0.0;
+        frame.add_circle({piece.x, piece.y + lift}, radius, kFleshColor);
     }
 }
 

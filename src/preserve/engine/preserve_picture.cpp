@@ -19,7 +19,7 @@ void PreserveCamera::take(const Preserve& preserve, PreservePicture& picture) {
     const PreserveSettings& laws = preserve.settings()->preserve;
     picture.tick = preserve.ticks();
     picture.laws = preserve.laws();
-    picture.area = {laws.width, laws.height};
+    picture.area = area_of(laws, preserve.settings()->world.environment);
     picture.walls = preserve.walls().rectangles();
     picture.patches = preserve.patches();
     picture.now = preserve.row();

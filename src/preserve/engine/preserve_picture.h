@@ -5,10 +5,10 @@
 #include "creature/phenotype.h"
 #include "evolution/settings/experiment_settings.h"
 #include "evolution/settings/light_patches.h"
+#include "evolution/settings/world_area.h"
 #include "preserve/life/life.h"
 #include "preserve/museum.h"
 #include "preserve/series.h"
-#include "preserve/world/area.h"
 #include "preserve/world/pellets.h"
 #include "preserve/world/rectangle.h"
 
@@ -55,7 +55,7 @@ struct PreservePicture {
     bool kept = false;    // whether a log keeps it
     std::string failure;  // why it stopped, or empty
     SettingsPtr laws;     // in force
-    WalledArea area;
+    WorldArea area;
     SeriesRow now;
     std::vector<ResidentPicture> residents;  // in ascending order of numbers
     LiveBrain brain;                         // of the creature that is watched, while it lives

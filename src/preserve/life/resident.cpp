@@ -60,6 +60,10 @@ void Resident::find_places() {
     if (solid) fastest_ = fastest_point(*scene_);
 }
 
+Vec3 Resident::standing_at(double x) const {
+    return {x, center_.y() - bounds_.low.y() + kStartClearance, 0.0};
+}
+
 void Resident::place(const Vec3& center, const Vec3& velocity) {
     scene_->translate(center - scene_->center_of_mass());
     SceneMotion motion = scene_->motion();
@@ -70,7 +74,7 @@ void Resident::place(const Vec3& center, const Vec3& velocity) {
     find_places();
 }
 
-void Resident::live(std::unique_ptr<SceneWorkspace>& workspace, const WalledArea& area) {
+void Resident::live(std::unique_ptr<SceneWorkspace>& workspace, const WorldArea& area) {
     act(area);
     scene_->give_workspace(std::move(workspace));
     const SceneStatus status = scene_->advance(kBrainTick);
@@ -78,7 +82,7 @@ void Resident::live(std::unique_ptr<SceneWorkspace>& workspace, const WalledArea
     end_tick(status);
 }
 
-void Resident::act(const WalledArea& area) {
+void Resident::act(const WorldArea& area) {
     bitten = false;
     work_before_ = scene_->audit().gross_motor_work;
     creature_->act(*scene_, senses_, kBrainTick);

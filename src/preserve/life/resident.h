@@ -4,9 +4,9 @@
 
 #include "creature/creature.h"
 #include "evolution/settings/experiment_settings.h"
+#include "evolution/settings/world_area.h"
 #include "preserve/life/diet.h"
 #include "preserve/life/life.h"
-#include "preserve/world/area.h"
 #include "preserve/world/common_senses.h"
 #include "preserve/world/rectangle.h"
 
@@ -39,14 +39,16 @@ public:
 
     // Gives up what is needed only while it is placed: call it once it has its place.
     void settle() { scene_->take_workspace(); }
+    // Returns the centre of mass of its present pose when the lowest corner is at the ground.
+    Vec3 standing_at(double x) const;
     // Moves the centre of mass, and gives all parts that velocity.
     void place(const Vec3& center, const Vec3& velocity);
     // Thinks and moves for a tick in a workspace of its scene. Changes nothing else, so residents
     // may do so at the same time.
-    void live(std::unique_ptr<SceneWorkspace>& workspace, const WalledArea& area);
+    void live(std::unique_ptr<SceneWorkspace>& workspace, const WorldArea& area);
     // Do the same in two parts: what it does before its scene is advanced, and after. The scene
     // needs a workspace.
-    void act(const WalledArea& area);
+    void act(const WorldArea& area);
     void end_tick(SceneStatus status);
     PhysicsScene& scene() { return *scene_; }
     const PhysicsScene& scene() const { return *scene_; }

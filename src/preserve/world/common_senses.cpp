@@ -11,7 +11,7 @@ namespace {
 // Smell that food gives off, for each J and second.
 constexpr double kFoodSmell = 0.02;
 
-ScentArea walled(const WalledArea& area) {
+ScentArea walled(const WorldArea& area) {
     return {.left = area.left(),
             .bottom = area.bottom(),
             .columns = static_cast<int>(std::ceil(area.width / kScentCell)),
@@ -30,7 +30,7 @@ void give_off(const Pellets& pellets, ScentField& field) {
 
 }  // namespace
 
-CommonSenses::CommonSenses(const WalledArea& area, const Environment& environment)
+CommonSenses::CommonSenses(const WorldArea& area, const Environment& environment)
     : environment_(environment),
       light_(environment, {}, 1.0),
       scent_(walled(area)),

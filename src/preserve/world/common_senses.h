@@ -3,7 +3,7 @@
 // What all creatures of a preserve can sense of it: the light, sounds, scent, and the smell of
 // food. It changes between two ticks only.
 
-#include "preserve/world/area.h"
+#include "evolution/settings/world_area.h"
 #include "preserve/world/pellets.h"
 #include "simulator/surroundings/light_source.h"
 #include "simulator/surroundings/loudness_sum.h"
@@ -18,7 +18,7 @@ namespace cambrian {
 
 class CommonSenses {
 public:
-    CommonSenses(const WalledArea& area, const Environment& environment);
+    CommonSenses(const WorldArea& area, const Environment& environment);
 
     const Environment& environment() const { return environment_; }
     Vec3 up() const { return up_; }

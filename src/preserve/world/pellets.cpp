@@ -19,7 +19,7 @@ int cell_at(double distance, int count) {
 
 }  // namespace
 
-Pellets::Pellets(const WalledArea& area)
+Pellets::Pellets(const WorldArea& area)
     : area_(area),
       columns_(cells_in(area.width)),
       rows_(cells_in(area.height)),

@@ -2,7 +2,7 @@
 
 // Food of one kind that lies about, found by its place.
 
-#include "preserve/world/area.h"
+#include "evolution/settings/world_area.h"
 #include "preserve/world/energy.h"
 #include "preserve/world/rectangle.h"
 
@@ -22,7 +22,7 @@ struct Pellet {
 
 class Pellets {
 public:
-    explicit Pellets(const WalledArea& area);
+    explicit Pellets(const WorldArea& area);
 
     // Adds a pellet, unless it has no energy. Its place is moved between the walls.
     void add(const Vec3& place, Energy energy);
@@ -48,7 +48,7 @@ private:
     template <class Visit>
     void visit(const Bounds& bounds, Visit visit);
 
-    WalledArea area_;
+    WorldArea area_;
     int columns_, rows_;
     std::vector<Pellet> pellets_;
     std::vector<std::vector<std::uint32_t>> cells_;  // indices of pellets

@@ -16,14 +16,15 @@ void note(Excess& worst, std::size_t part, const Vec3& corner, const Vec3& inwar
     if (depth > worst.depth) worst = {part, corner, inward, depth};
 }
 
-Excess worst_excess(std::span<const Rectangle> parts, const WalledArea& area) {
+Excess worst_excess(std::span<const Rectangle> parts, const WorldArea& area) {
     Excess worst;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         for (const Vec3& corner : corners_of(parts[i])) {
             note(worst, i, corner, Vec3::UnitX(), area.left() - corner.x());
             note(worst, i, corner, -Vec3::UnitX(), corner.x() + area.left());
+            note(worst, i, corner, -Vec3::UnitY(), corner.y() - area.top());
+            if (area.has_ground) continue;
             note(worst, i, corner, Vec3::UnitY(), area.bottom() - corner.y());
-            note(worst, i, corner, -Vec3::UnitY(), corner.y() + area.bottom());
         }
     }
     return worst;
@@ -32,7 +33,7 @@ Excess worst_excess(std::span<const Rectangle> parts, const WalledArea& area) {
 }  // namespace
 
 void push_back(PhysicsScene& scene, const Phenotype& phenotype, std::span<const Rectangle> parts,
-               const WalledArea& area, double density) {
+               const WorldArea& area, double density) {
     const Excess worst = worst_excess(parts, area);
     if (!(worst.depth > 0.0)) return;
     const Rectangle& part = parts[worst.part];

@@ -3,7 +3,7 @@
 // The soft walls of a preserve (preserve/README.md 2).
 
 #include "creature/phenotype.h"
-#include "preserve/world/area.h"
+#include "evolution/settings/world_area.h"
 #include "preserve/world/rectangle.h"
 #include "world/physics_scene.h"
 
@@ -16,6 +16,6 @@ inline constexpr int kPullsOfWalls = 1;  // on one body in a tick, at most
 // Pushes the part with the corner that is farthest beyond a wall back during the next tick. `parts`
 // are the parts' rectangles of the moment.
 void push_back(PhysicsScene& scene, const Phenotype& phenotype, std::span<const Rectangle> parts,
-               const WalledArea& area, double density);
+               const WorldArea& area, double density);
 
 }  // namespace cambrian

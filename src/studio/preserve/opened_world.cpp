@@ -17,9 +17,19 @@ namespace {
 
 constexpr std::string_view kCreatureEnding = ".creature.json";
 
-// Returns the sample creatures that live in water, in the order of their names.
-std::vector<GenomePtr> swimmers_in(const std::filesystem::path& folder,
-                                   const EvolutionKinds& kinds) {
+// To walk is the goal that settings have unless they name another one.
+bool is_walker(const ExperimentSettings& settings) {
+    return settings.world.environment.has_ground && settings.goal == ExperimentSettings().goal;
+}
+
+bool is_swimmer(const ExperimentSettings& settings) {
+    const Environment& world = settings.world.environment;
+    return !world.has_ground && world.gravity == 0.0;
+}
+
+// Returns the sample creatures that live so, in the order of their names.
+std::vector<GenomePtr> samples_in(const std::filesystem::path& folder, const EvolutionKinds& kinds,
+                                  bool (*lives_so)(const ExperimentSettings&)) {
     std::vector<std::filesystem::path> files;
     std::error_code error;
     auto entry = std::filesystem::directory_iterator(folder, error);
@@ -28,27 +38,25 @@ std::vector<GenomePtr> swimmers_in(const std::filesystem::path& folder,
             files.push_back(entry->path());
     }
     std::sort(files.begin(), files.end());
-    std::vector<GenomePtr> swimmers;
+    std::vector<GenomePtr> samples;
     for (const std::filesystem::path& file : files) {
         const Result<CreatureDocument> document = load_creature(file, kinds);
-        if (!document) continue;
-        const Environment& world = document->settings().world.environment;
-        if (!world.has_ground && world.gravity == 0.0)
-            swimmers.push_back(document->creature.individual->genome);
+        if (document && lives_so(document->settings()))
+            samples.push_back(document->creature.individual->genome);
     }
-    return swimmers;
+    return samples;
 }
 
 Result<std::vector<GenomePtr>> founders_of(const WorldPlan& plan,
                                            const ExperimentSettings& settings,
                                            const EvolutionKinds& kinds) {
     if (plan.choice == FounderChoice::kRandom) return random_founders(settings, kinds);
-    if (plan.choice != FounderChoice::kSamples) return plan.founders;
-    std::vector<GenomePtr> swimmers = swimmers_in(plan.samples, kinds);
-    if (swimmers.empty())
-        return Error{
-            fmt::format("There are no swimmers among the samples in {}.", plan.samples.string())};
-    return swimmers;
+    if (!is_open_choice(plan.choice)) return plan.founders;
+    const bool walk = plan.choice == FounderChoice::kWalkers;
+    std::vector<GenomePtr> samples = samples_in(plan.samples, kinds, walk ? is_walker : is_swimmer);
+    if (!samples.empty()) return samples;
+    return Error{fmt::format("There are no {} among the samples in {}.",
+                             walk ? "walkers" : "swimmers", plan.samples.string())};
 }
 
 }  // namespace

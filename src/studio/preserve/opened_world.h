@@ -23,12 +23,24 @@ struct OpenedWorld {
 };
 
 // The creatures with which a preserve begins.
-enum class FounderChoice : std::uint8_t { kShown, kStarred, kPicked, kSamples, kRandom };
+enum class FounderChoice : std::uint8_t {
+    kShown,
+    kStarred,
+    kPicked,
+    kSwimmers,  // among the samples
+    kWalkers,   // among the samples
+    kRandom
+};
+
+// Returns whether the founders are given by a choice itself.
+inline bool is_open_choice(FounderChoice choice) {
+    return choice >= FounderChoice::kSwimmers;
+}
 
 struct WorldPlan {
     std::filesystem::path settings;  // file of the laws
     FounderChoice choice = FounderChoice::kRandom;
-    std::vector<GenomePtr> founders;  // unless they are samples or random ones
+    std::vector<GenomePtr> founders;  // unless the choice is open
     std::filesystem::path samples;    // folder
     std::uint64_t seed = 1;
     std::filesystem::path file;  // that will keep it; one of that name is renamed. Empty for none.

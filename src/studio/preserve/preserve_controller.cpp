@@ -23,6 +23,32 @@ std::filesystem::path branch_of(const std::filesystem::path& file, std::uint64_t
     return path;
 }
 
+// Returns whether the creatures of a choice live on ground.
+bool live_on_ground(FounderChoice choice, const PreserveSubjects& subjects) {
+    const auto has_ground = [](const ExperimentSettings& settings) {
+        return settings.world.environment.has_ground;
+    };
+    const Playback& playback = subjects.viewer.playback();
+    const auto& stars = subjects.generations.facts().stars.all();
+    const PickingView* grid = subjects.picking.facts();
+    switch (choice) {
+        case FounderChoice::kShown:
+            return !playback.empty() && has_ground(playback.exhibit().settings());
+        case FounderChoice::kStarred:
+            return std::all_of(stars.begin(), stars.end(), [&](const JudgedIndividual& star) {
+                return has_ground(*star.settings);
+            });
+        case FounderChoice::kPicked:
+            return grid != nullptr && has_ground(*grid->snapshot.settings);
+        case FounderChoice::kWalkers:
+            return true;
+        case FounderChoice::kSwimmers:
+        case FounderChoice::kRandom:
+            break;
+    }
+    return false;
+}
+
 // Returns no genomes for random creatures and samples, which are read later.
 std::vector<GenomePtr> genomes_of_choice(FounderChoice choice, const PreserveSubjects& subjects) {
     const Playback& playback = subjects.viewer.playback();
@@ -248,14 +274,14 @@ void PreserveController::send(PreserveCommand command) {
 
 void PreserveController::begin(FounderChoice choice) {
     WorldPlan plan;
-    plan.settings = assets_ / "settings" / "pond.toml";
+    plan.settings =
+        assets_ / "settings" / (live_on_ground(choice, subjects_) ? "meadow.toml" : "pond.toml");
     plan.choice = choice;
     plan.founders = genomes_of_choice(choice, subjects_);
     plan.samples = assets_ / "creatures";
     plan.seed = std::random_device{}();
     plan.file = own_file_;
-    const bool chosen = choice != FounderChoice::kRandom && choice != FounderChoice::kSamples;
-    if (chosen && plan.founders.empty()) {
+    if (!is_open_choice(choice) && plan.founders.empty()) {
         return services_.feedback.tell(NoticeKind::kProblem,
                                        "There are no such creatures to begin a preserve with.");
     }

@@ -20,8 +20,10 @@ constexpr std::array kChoices = {
     Choice{FounderChoice::kShown, "The creature on display", "Copies of it, until there are 40"},
     Choice{FounderChoice::kStarred, "The starred creatures", "Those you marked with a star"},
     Choice{FounderChoice::kPicked, "The picked creatures", "Those you picked by hand in the grid"},
-    Choice{FounderChoice::kSamples, "The swimmers among the samples",
+    Choice{FounderChoice::kSwimmers, "The swimmers among the samples",
            "Evolved before; they reach food from the first minute"},
+    Choice{FounderChoice::kWalkers, "The walkers among the samples",
+           "Evolved before; they live on a meadow"},
     Choice{FounderChoice::kRandom, "Random creatures",
            "Most starve; copies of founders come until some live by themselves"},
 };
@@ -35,7 +37,8 @@ bool is_possible(std::optional<FounderChoice> founders, const PreserveCardView& 
             return card.starred > 0;
         case FounderChoice::kPicked:
             return card.picked > 0;
-        case FounderChoice::kSamples:
+        case FounderChoice::kSwimmers:
+        case FounderChoice::kWalkers:
         case FounderChoice::kRandom:
             break;
     }
@@ -50,8 +53,8 @@ void NewPreserveCard::draw(const FrameContext& frame, Requests& out) {
     if (card_title("New preserve", "Close the card", "preserve", out))
         out.ask(TogglePreserveCard{});
     muted_text(
-        "A closed world of water, 40 m by 25 m, that goes on by itself: creatures eat, bite, bear "
-        "children and die. Who begins it?");
+        "A closed world that goes on by itself: creatures eat, bite, bear children and die. It is "
+        "water or, for those that live on ground, a meadow. Who begins it?");
     ImGui::Dummy({0, px(4)});
     for (std::size_t i = 0; i < kChoices.size(); ++i) {
         if (draw_choice(i, is_possible(kChoices[i].founders, card))) chosen_ = i;

@@ -74,10 +74,12 @@ void WorldPanel::place_camera(const FrameContext& frame) {
     const PreserveView& preserve = *frame.preserve;
     Camera& camera = canvas_.camera;
     if (std::exchange(fits_seen_, preserve.fits_asked) != preserve.fits_asked) {
-        const Vec2 corner(0.5 * preserve.picture.area.width, 0.5 * preserve.picture.area.height);
+        const WorldArea& area = preserve.picture.area;
+        const Vec2 corner(0.5 * area.width, 0.5 * area.height);
+        const Vec2 middle = area.middle().head<2>();
         const auto words = static_cast<double>(px(kHeadHeight));
         const Viewport size = canvas_.size();
-        camera.fit({-corner, corner}, kWorldShare,
+        camera.fit({middle - corner, middle + corner}, kWorldShare,
                    {size.width, std::max(1.0, size.height - 2.0 * words)});
     }
     if (!preserve.follow || preserve.picked == nullptr) return;
