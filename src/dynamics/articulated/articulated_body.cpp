@@ -15,10 +15,9 @@ struct ArticulatedInertia {
     Simd4d x, y, turn;
 };
 
-// Transformation from a child's pivot to its parent's, (0, 0, z, gamma), and the effort of a
-// revolute joint on the child, in the component of the load.
+// Transformation from a child's pivot to its parent's: (0, 0, z, gamma) for each axis.
 struct Lever {
-    Simd4d x, y, effort;
+    Simd4d x, y;
 };
 
 // Effort of revolute joints, a torque on the child and its parent.
@@ -55,18 +54,20 @@ CAMBRIAN_INLINE void load_bodies(const PlanarModel& model, const Kinematics& k, 
     }
 }
 
-CAMBRIAN_INLINE void place_levers(const PlanarModel& model, const Kinematics& k, const Loads& loads,
-                                  Lever* levers) {
+// Sets (z, gamma) of the x axis and then those of the y axis for every joint.
+CAMBRIAN_INLINE void place_levers(const PlanarModel& model, const Kinematics& k, Simd4d* levers) {
     for (int first = 0; first < model.body_count; first += kLanes) {
-        Simd4d x[kLanes] = {{}, {}, load_lanes(k.z_x + first), load_lanes(k.gamma_x + first)};
-        Simd4d y[kLanes] = {{}, {}, load_lanes(k.z_y + first), load_lanes(k.gamma_y + first)};
-        Simd4d effort[kLanes] = {{}, {}, {}, revolute_effort(model, loads, first)};
-        transpose(x[0], x[1], x[2], x[3]);
-        transpose(y[0], y[1], y[2], y[3]);
-        transpose(effort[0], effort[1], effort[2], effort[3]);
+        Simd4d lanes[kLanes] = {load_lanes(k.z_x + first), load_lanes(k.gamma_x + first),
+                                load_lanes(k.z_y + first), load_lanes(k.gamma_y + first)};
+        transpose(lanes[0], lanes[1], lanes[2], lanes[3]);
         for (int lane = 0; lane < kLanes; ++lane)
-            levers[first + lane] = {x[lane], y[lane], effort[lane]};
+            levers[first + lane] = lanes[lane];
     }
+}
+
+CAMBRIAN_INLINE Lever lever_of(const Simd4d& placed) {
+    return {__builtin_shufflevector(Simd4d{}, placed, 0, 1, 4, 5),
+            __builtin_shufflevector(Simd4d{}, placed, 0, 1, 6, 7)};
 }
 
 // Transforms a column to the parent's pivot.
@@ -84,22 +85,24 @@ CAMBRIAN_INLINE Simd4d without_turn(const Simd4d& column) {
     return result;
 }
 
-// Adds the first two columns to the parent, and their part of the third.
+// Adds the first two columns to the parent, their part of the third, and what the effort of a
+// revolute joint is to its load.
 CAMBRIAN_INLINE void add_to_parent(const Simd4d& x, const Simd4d& y, const Lever& lever,
-                                   ArticulatedInertia& parent) {
+                                   double effort, ArticulatedInertia& parent) {
     const Simd4d seen_x = as_parent_sees(x, lever);
     const Simd4d seen_y = as_parent_sees(y, lever);
     parent.x += seen_x;
     parent.y += seen_y;
-    parent.turn += lever.effort + (lever.x[2] * seen_x + lever.y[2] * seen_y);
+    parent.turn += Simd4d{0.0, 0.0, 0.0, effort} + (lever.x[2] * seen_x + lever.y[2] * seen_y);
 }
 
 // Both eliminate a joint (dynamics/README.md 4): they return u and add to the parent the
 // articulated inertia minus w w'/d. A revolute joint has w = h, and d = j + g with the damping g of
 // an implicit motor; the share g/d of its row goes to the parent.
 template <Motors kMotors>
-CAMBRIAN_INLINE double eliminate_revolute(int i, const ArticulatedInertia& c, const Lever& lever,
-                                          Factors& factors, ArticulatedInertia& parent) {
+CAMBRIAN_INLINE double eliminate_revolute(double effort, int i, const ArticulatedInertia& c,
+                                          const Lever& lever, Factors& factors,
+                                          ArticulatedInertia& parent) {
     const Simd4d row = c.turn;
     const double damping = kMotors == Motors::kImplicit ? factors.damping[i] : 0.0;
     const double inverse_d = 1.0 / (kMotors == Motors::kImplicit ? row[2] + damping : row[2]);
@@ -112,7 +115,7 @@ CAMBRIAN_INLINE double eliminate_revolute(int i, const ArticulatedInertia& c, co
         y[2] = left[1];
         parent.turn += as_parent_sees(left, lever);
     }
-    add_to_parent(x, y, lever, parent);
+    add_to_parent(x, y, lever, effort, parent);
     factors.w_x[i] = row[0];
     factors.w_y[i] = row[1];
     factors.inverse_d[i] = inverse_d;
@@ -139,7 +142,7 @@ CAMBRIAN_INLINE double eliminate_prismatic(const Kinematics& k, double effort, i
     x -= scaled * row[0];
     y -= scaled * row[1];
     const Simd4d turn = c.turn - scaled * row[2];
-    add_to_parent(x, y, lever, parent);
+    add_to_parent(x, y, lever, 0.0, parent);
     parent.turn += as_parent_sees(turn, lever);
     factors.w_x[i] = row[0];
     factors.w_y[i] = row[1];
@@ -149,9 +152,15 @@ CAMBRIAN_INLINE double eliminate_prismatic(const Kinematics& k, double effort, i
 }
 
 enum class Load { kForce, kImpulse };
+enum class Joints { kRevolute, kAny };
+
+template <Joints kJoints>
+CAMBRIAN_INLINE bool slides(const PlanarModel& model, int i) {
+    return kJoints == Joints::kAny && model.motion[i] == JointMotion::kSlide;
+}
 
 // Computes a body's response from its parent's; gamma is 0 for impulses.
-template <Load kLoad, Motors kMotors>
+template <Load kLoad, Motors kMotors, Joints kJoints>
 CAMBRIAN_INLINE void follow_parent(const PlanarModel& model, const Kinematics& k,
                                    const Factors& factors, const double* u, int i,
                                    BodyResponse& response) {
@@ -165,7 +174,7 @@ CAMBRIAN_INLINE void follow_parent(const PlanarModel& model, const Kinematics& k
         y += k.gamma_y[i];
     }
     double rest = u[i] - factors.w_x[i] * x - factors.w_y[i] * y;
-    if (model.motion[i] == JointMotion::kSlide) {
+    if (slides<kJoints>(model, i)) {
         rest -= factors.w_3[i] * spin;
         const double slide = rest * factors.inverse_d[i];
         response.x[i] = x + slide * k.axis_x[i];
@@ -202,31 +211,35 @@ CAMBRIAN_INLINE void move_to_centers(const PlanarModel& model, const Kinematics&
     }
 }
 
-template <Motors kMotors>
+template <Motors kMotors, Joints kJoints>
 CAMBRIAN_INLINE void solve(const PlanarModel& model, const Kinematics& kinematics,
                            const Loads& loads, Factors& factors, BodyResponse& response) {
     ArticulatedInertia inertias[kMaxBodies];
-    Lever levers[kMaxBodies];
+    Simd4d levers[kMaxBodies];
     PerBody u;
     load_bodies(model, kinematics, loads, inertias);
-    place_levers(model, kinematics, loads, levers);
+    place_levers(model, kinematics, levers);
     for (int tree = model.tree_count - 1; tree >= 0; --tree) {
         const int root = model.tree_begin[tree];
         const int end = model.tree_begin[tree + 1];
         CAMBRIAN_TICK_ASSERT(root < end && end <= model.body_count, "the bodies of a tree");
         for (int i = end - 1; i > root; --i) {
             ArticulatedInertia& parent = inertias[model.parent[i]];
-            u[i] = model.motion[i] == JointMotion::kSlide
-                       ? eliminate_prismatic<kMotors>(kinematics, loads.effort[i], i, inertias[i],
-                                                      levers[i], factors, parent)
-                       : eliminate_revolute<kMotors>(i, inertias[i], levers[i], factors, parent);
+            const Lever lever = lever_of(levers[i]);
+            const double effort = loads.effort[i];
+            u[i] =
+                slides<kJoints>(model, i)
+                    ? eliminate_prismatic<kMotors>(kinematics, effort, i, inertias[i], lever,
+                                                   factors, parent)
+                    : eliminate_revolute<kMotors>(effort, i, inertias[i], lever, factors, parent);
         }
         const ArticulatedInertia& all = inertias[root];
         factors.root[tree] =
             invert_inertia(all.x[0], all.x[1], all.y[1], all.turn[0], all.turn[1], all.turn[2]);
         solve_root(factors.root[tree], root, Simd2d{-all.x[3], -all.y[3]}, -all.turn[3], response);
         for (int i = root + 1; i < end; ++i)
-            follow_parent<Load::kForce, kMotors>(model, kinematics, factors, u, i, response);
+            follow_parent<Load::kForce, kMotors, kJoints>(model, kinematics, factors, u, i,
+                                                          response);
     }
     move_to_centers<Load::kForce>(model, kinematics, response);
     move_centers(model, loads, response);
@@ -240,7 +253,10 @@ void solve_accelerations(const PlanarModel& model, const Kinematics& kinematics,
         store_lanes(factors.damping + i, Simd4d{});
     if (model.stretch_count > 0)
         return solve_stretched_accelerations(model, kinematics, loads, factors, response);
-    solve<Motors::kExplicit>(model, kinematics, loads, factors, response);
+    if (model.has_slides)
+        solve<Motors::kExplicit, Joints::kAny>(model, kinematics, loads, factors, response);
+    else
+        solve<Motors::kExplicit, Joints::kRevolute>(model, kinematics, loads, factors, response);
 }
 
 void solve_damped_accelerations(const PlanarModel& model, const Kinematics& kinematics,
@@ -250,7 +266,10 @@ void solve_damped_accelerations(const PlanarModel& model, const Kinematics& kine
         store_lanes(factors.damping + i, load_lanes(damping + i));
     if (model.stretch_count > 0)
         return solve_stretched_accelerations(model, kinematics, loads, factors, response);
-    solve<Motors::kImplicit>(model, kinematics, loads, factors, response);
+    if (model.has_slides)
+        solve<Motors::kImplicit, Joints::kAny>(model, kinematics, loads, factors, response);
+    else
+        solve<Motors::kImplicit, Joints::kRevolute>(model, kinematics, loads, factors, response);
 }
 
 void factorize(const PlanarModel& model, const Kinematics& kinematics, Factors& factors) {
@@ -260,10 +279,12 @@ void factorize(const PlanarModel& model, const Kinematics& kinematics, Factors& 
     solve_accelerations(model, kinematics, none, factors, unused);
 }
 
-void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors& factors,
-                   const Loads& impulses, BodyResponse& response) {
-    if (model.stretch_count > 0)
-        return solve_stretched_impulse(model, k, factors, impulses, response);
+namespace {
+
+template <Joints kJoints>
+CAMBRIAN_INLINE void solve_impulse_of(const PlanarModel& model, const Kinematics& k,
+                                      const Factors& factors, const Loads& impulses,
+                                      BodyResponse& response) {
     Simd2d f[kMaxBodies];
     PerBody t;
     PerBody u;
@@ -278,7 +299,7 @@ void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors&
             const int p = model.parent[i];
             const double effort = impulses.effort[i];
             CAMBRIAN_TICK_ASSERT(p >= 0 && p < i, "a parent comes before its children");
-            const bool is_prismatic = model.motion[i] == JointMotion::kSlide;
+            const bool is_prismatic = slides<kJoints>(model, i);
             const Simd2d w = {factors.w_x[i], factors.w_y[i]};
             u[i] = effort + (is_prismatic ? dot(Simd2d{k.axis_x[i], k.axis_y[i]}, f[i]) : t[i]);
             const double share = u[i] * factors.inverse_d[i];
@@ -290,10 +311,23 @@ void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors&
         }
         solve_root(factors.root[tree], root, f[root], t[root], response);
         for (int i = root + 1; i < end; ++i)
-            follow_parent<Load::kImpulse, Motors::kImplicit>(model, k, factors, u, i, response);
+            follow_parent<Load::kImpulse, Motors::kImplicit, kJoints>(model, k, factors, u, i,
+                                                                      response);
     }
     move_to_centers<Load::kImpulse>(model, k, response);
     move_centers(model, impulses, response);
+}
+
+}  // namespace
+
+void solve_impulse(const PlanarModel& model, const Kinematics& k, const Factors& factors,
+                   const Loads& impulses, BodyResponse& response) {
+    if (model.stretch_count > 0)
+        return solve_stretched_impulse(model, k, factors, impulses, response);
+    if (model.has_slides)
+        solve_impulse_of<Joints::kAny>(model, k, factors, impulses, response);
+    else
+        solve_impulse_of<Joints::kRevolute>(model, k, factors, impulses, response);
 }
 
 void clear_loads(const PlanarModel& model, Loads& loads) {

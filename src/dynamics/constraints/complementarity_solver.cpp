@@ -77,7 +77,7 @@ void ComplementaritySolver::iterate_from_zero(ConstraintSystem& rows, const doub
     are_factors_valid_ = false;
 }
 
-void ComplementaritySolver::absorb(const ConstraintSystem& rows, double friction,
+bool ComplementaritySolver::absorb(const ConstraintSystem& rows, double friction,
                                    RowChanges& changes) {
     for (auto& impulses : changes.impulses) {
         for (int row = 0; row < rows.count; ++row)
@@ -85,8 +85,9 @@ void ComplementaritySolver::absorb(const ConstraintSystem& rows, double friction
     }
     if (!are_factors_valid_) {
         read_states(rows, changes.rates[0], friction);
-        if (!factorize(rows, changes.rates[0], friction)) return;
+        if (!factorize(rows, changes.rates[0], friction)) return false;
     }
+    if (factors_.count() == 0) return false;
     CAMBRIAN_TICK_ASSERT(factors_.count() <= rows.count, "equations of these rows");
     PerEquation sides[2];
     PerEquation solutions[2];
@@ -107,6 +108,7 @@ void ComplementaritySolver::absorb(const ConstraintSystem& rows, double friction
             if (state_[mate] == State::kSlideMinus) impulses[mate] -= friction * solutions[s][i];
         }
     }
+    return true;
 }
 
 void ComplementaritySolver::find_rates(const ConstraintSystem& rows, const double* bias) {

@@ -31,7 +31,8 @@ public:
 
     // Computes impulses that undo changes of the rates of the active rows of the last solution;
     // sliding friction follows its normal. They are 0 where the equations are singular.
-    void absorb(const ConstraintSystem& rows, double friction, RowChanges& changes);
+    // Returns false if all are 0.
+    bool absorb(const ConstraintSystem& rows, double friction, RowChanges& changes);
 
 private:
     enum class State : std::uint8_t { kOff, kActive, kSlidePlus, kSlideMinus };

@@ -7,6 +7,7 @@
 #include "world/environment.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace cambrian {
@@ -201,8 +202,6 @@ void ContactSolver::select_limits(const PlanarModel& model, const EvaluationCach
                                   double h) {
     limits_.count = 0;
     const Kinematics& k = cache.kinematics;
-    PerBody low_room;
-    PerBody high_room;
     for (int i = 0; i < model.body_count; i += kLanes) {
         const Simd4d angle = load_lanes(k.joint_position + i);
         const Simd4d rate = load_lanes(k.joint_rate + i);
@@ -213,15 +212,24 @@ void ContactSolver::select_limits(const PlanarModel& model, const EvaluationCach
                                  h * h * greater(-acceleration, Simd4d{});
         const Simd4d high_reach = kLimitBand + 1.5 * h * greater(rate, Simd4d{}) +
                                   h * h * greater(acceleration, Simd4d{});
-        store_lanes(low_room + i, angle - load_lanes(model.limit_low + i) - low_reach);
-        store_lanes(high_room + i, load_lanes(model.limit_high + i) - angle - high_reach);
+        const Simd4d low_room = angle - load_lanes(model.limit_low + i) - low_reach;
+        const Simd4d high_room = load_lanes(model.limit_high + i) - angle - high_reach;
+        const unsigned low = true_lanes(low_room < Simd4d{});
+        const unsigned high = true_lanes(high_room < Simd4d{});
+        if ((low | high) != 0) add_limits(model, k, i, low, high);
     }
-    for (int i = 0; i < model.body_count; ++i) {
-        if (low_room[i] >= 0.0 && high_room[i] >= 0.0) continue;
-        if (model.parent[i] < 0) continue;
+}
+
+// Adds the limits of four joints that are in these sets of lanes.
+void ContactSolver::add_limits(const PlanarModel& model, const Kinematics& k, int first,
+                               unsigned low, unsigned high) {
+    for (unsigned left = low | high; left != 0; left &= left - 1) {
+        const int lane = std::countr_zero(left);
+        const int i = first + lane;
+        if (i >= model.body_count || model.parent[i] < 0) continue;
         const double angle = k.joint_position[i];
-        if (low_room[i] < 0.0) limits_.add({i, 1.0, angle - model.limit_low[i]});
-        if (high_room[i] < 0.0) limits_.add({i, -1.0, model.limit_high[i] - angle});
+        if ((low >> lane & 1U) != 0) limits_.add({i, 1.0, angle - model.limit_low[i]});
+        if ((high >> lane & 1U) != 0) limits_.add({i, -1.0, model.limit_high[i] - angle});
         CAMBRIAN_TICK_ASSERT(limits_.count <= 2 * kMaxBodies, "stops have room");
     }
 }
@@ -267,14 +275,22 @@ bool ContactSolver::solve_resting(const PlanarModel& model, const ContactLaw& la
     return solved;
 }
 
-void ContactSolver::absorb(const PlanarModel& model, const ContactLaw& law,
+bool ContactSolver::holds_something() const {
+    for (int row = 0; row < rows_.count; ++row) {
+        if (rows_.impulse[row] != 0.0) return true;
+    }
+    return false;
+}
+
+bool ContactSolver::absorb(const PlanarModel& model, const ContactLaw& law,
                            const BodyResponse (&changes)[2], Loads (&loads)[2]) {
     RowChanges rows;
     rate_rows(model, rows_, changes, rows.rates);
     CAMBRIAN_TICK_ASSERT(law.friction >= 0.0, "friction is not negative");
-    solver_.absorb(rows_, law.friction, rows);
+    if (!solver_.absorb(rows_, law.friction, rows)) return false;
     for (int which = 0; which < 2; ++which)
         add_row_impulses(rows_, rows.impulses[which], 1.0, loads[which]);
+    return true;
 }
 
 void ContactSolver::clear() {

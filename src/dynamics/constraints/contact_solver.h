@@ -81,8 +81,11 @@ public:
     void add_held(double h, Loads& loads) const {
         add_row_impulses(rows_, rows_.impulse, 1.0 / h, loads);
     }
+    // Whether some of these forces are not 0.
+    bool holds_something() const;
     // Adds to the loads the impulses by which active rows undo changes of the bodies' velocities.
-    void absorb(const PlanarModel& model, const ContactLaw& law, const BodyResponse (&changes)[2],
+    // Returns false if all are 0.
+    bool absorb(const PlanarModel& model, const ContactLaw& law, const BodyResponse (&changes)[2],
                 Loads (&loads)[2]);
     // Normal force of a selected contact after solve_resting(), N.
     double held_normal(int contact) const { return normal_force_[contact]; }
@@ -98,6 +101,8 @@ public:
 
 private:
     void select_limits(const PlanarModel& model, const EvaluationCache& cache, double h);
+    void add_limits(const PlanarModel& model, const Kinematics& kinematics, int first, unsigned low,
+                    unsigned high);
     void set_resting_bias(const PlanarModel& model, double h, const WarmStart& warm);
     bool solve_rows(const PlanarModel& model, const ContactLaw& law, double h);
     double resting_work(double h) const;

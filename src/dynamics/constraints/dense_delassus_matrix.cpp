@@ -21,8 +21,9 @@ public:
             place(row);
         for (int row = rows_.count; row < rows_.stride; ++row)
             clear(row);
+        const double share = 1.0 / model_.total_mass;
         for (int row = 0; row < rows_.count; ++row)
-            couple(row);
+            couple(row, share);
     }
 
 private:
@@ -57,10 +58,9 @@ private:
         if (b >= 0) torque_[row].add_at(b, -rows_[row].moment_b);
     }
 
-    CAMBRIAN_INLINE void couple(int row) {
+    CAMBRIAN_INLINE void couple(int row, double share) {
         const BodyLanes<kBlocks> turn =
             times_inverse(cache_.inverse, model_.body_count, torque_[row]);
-        const double share = 1.0 / model_.total_mass;
         const Simd4d x = all_lanes(share * force_x_[row]);
         const Simd4d y = all_lanes(share * force_y_[row]);
         double* line = rows_.line(row);
@@ -78,10 +78,8 @@ private:
 
     // Returns the sum over the lanes of each of the four.
     CAMBRIAN_INLINE static Simd4d sums_of(const Simd4d (&of)[kLanes]) {
-        const Simd4d first = __builtin_shufflevector(of[0], of[1], 0, 4, 2, 6) +
-                             __builtin_shufflevector(of[0], of[1], 1, 5, 3, 7);
-        const Simd4d second = __builtin_shufflevector(of[2], of[3], 0, 4, 2, 6) +
-                              __builtin_shufflevector(of[2], of[3], 1, 5, 3, 7);
+        const Simd4d first = pair_sums(of[0], of[1]);
+        const Simd4d second = pair_sums(of[2], of[3]);
         return __builtin_shufflevector(first, second, 0, 1, 4, 5) +
                __builtin_shufflevector(first, second, 2, 3, 6, 7);
     }

@@ -11,15 +11,15 @@ namespace {
 template <int kFixed>
 constexpr std::size_t kRoom = kFixed > 0 ? kFixed : kMaxEquations / kLanes + 1;  // blocks
 
-template <int kFixed>
+template <int kFixed, class Number = double>
 struct Lines {
     int count;
     int blocks_at_run_time;
-    double* first;
+    Number* first;
 
     CAMBRIAN_INLINE int blocks() const { return block_count<kFixed>(blocks_at_run_time); }
     CAMBRIAN_INLINE int stride() const { return blocks() * kLanes; }
-    CAMBRIAN_INLINE double* operator[](int equation) const {
+    CAMBRIAN_INLINE Number* operator[](int equation) const {
         return first + std::ptrdiff_t{equation} * stride();
     }
 };
@@ -73,10 +73,39 @@ template <int kFixed>
     }
 }
 
+// Solves the equations of the blocks up to kBlock; the solution of those above is known.
+template <int kBlock, int kFixed>
+CAMBRIAN_INLINE void substitute_to(const Lines<kFixed, const double>& lines, double* solution) {
+    if constexpr (kBlock >= 0) {
+        const int first = kBlock * kLanes;
+        for (int i = std::min(lines.count, first + kLanes) - 1; i >= first; --i) {
+            const double* line = lines[i];
+            const double known =
+                lane_product(line + first, solution + first, (kFixed - kBlock) * kLanes);
+            solution[i] = (line[lines.count] - known) * line[i];
+        }
+        substitute_to<kBlock - 1>(lines, solution);
+    }
+}
+
+template <int kFixed>
+[[gnu::noinline]] void substitute_in(const Lines<kFixed, const double>& lines, double* solution) {
+    if constexpr (kFixed > 0) {
+        substitute_to<kFixed - 1>(lines, solution);
+    } else {
+        for (int i = lines.count - 1; i >= 0; --i) {
+            const double* line = lines[i];
+            const int first = i / kLanes * kLanes;
+            const double known =
+                lane_product(line + first, solution + first, lines.stride() - first);
+            solution[i] = (line[lines.count] - known) * line[i];
+        }
+    }
+}
+
 // Returns the sums of a and of b.
 CAMBRIAN_INLINE Simd2d sums_of(const Simd4d& a, const Simd4d& b) {
-    const Simd4d sums =
-        __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const Simd4d sums = pair_sums(a, b);
     return __builtin_shufflevector(sums, sums, 0, 1) + __builtin_shufflevector(sums, sums, 2, 3);
 }
 
@@ -109,12 +138,9 @@ bool RowFactors::factorize(const PerEquation& least_pivots) {
 void RowFactors::substitute(PerEquation& solution) const {
     CAMBRIAN_TICK_ASSERT(lost_ == count_, "the factors are complete");
     clear(stride_, solution);
-    for (int i = count_ - 1; i >= 0; --i) {
-        const double* equation = line(i);
-        const int first = i / kLanes * kLanes;
-        const double known = lane_product(equation + first, solution + first, stride_ - first);
-        solution[i] = (equation[count_] - known) * equation[i];
-    }
+    with_fixed_blocks(stride_ / kLanes, [&](auto fixed) {
+        substitute_in(Lines<fixed(), const double>{count_, stride_ / kLanes, lines_}, solution);
+    });
 }
 
 void RowFactors::solve(const PerEquation (&sides)[2], PerEquation (&solutions)[2]) const {

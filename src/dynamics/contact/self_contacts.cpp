@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kSpare = 0.15;  // m, enlargement of the bounding circles
+constexpr double kSpare = 0.25;  // m, enlargement of the bounding circles
 
 // Whether the bounding circles of two boxes are nearer than the margin.
 bool circles_near(const PlanarModel& model, const PartPlaces& places, const PartPair& pair,

@@ -28,7 +28,7 @@ struct EvaluationCache {
 };
 
 // The kinematics that an evaluation computes: those that its accelerations need, or all. The
-// factors may be missing in both cases.
+// factors may be missing in both cases. An implicit stage keeps the accelerations in both.
 enum class EvaluationDetail : std::uint8_t { kAccelerations, kEverything };
 
 struct EvaluationPoint {

@@ -39,7 +39,7 @@ public:
         else
             eliminate();
         move_center();
-        if (all) keep_response();
+        if (all || kMotors == Motors::kImplicit) keep_response();
         cache_.has_centers = false;
         cache_.has_joint_geometry = false;
         cache_.is_factored = false;

@@ -19,8 +19,8 @@ double add_drag(const PlanarModel& model, const Medium& medium, const Kinematics
                      load_lanes(model.half_width + first)});
         const Simd4d torque = drag.moment + parts.arm.x * drag.force_y - parts.arm.y * drag.force_x;
         power += drag.power;
-        const int end = first + kLanes < model.part_count ? kLanes : model.part_count - first;
-        for (int lane = 0; lane < end; ++lane) {
+        // Parts beyond the count have no size and no drag.
+        for (int lane = 0; lane < kLanes; ++lane) {
             const int b = model.part_body[first + lane];
             loads.force_x[b] += drag.force_x[lane];
             loads.force_y[b] += drag.force_y[lane];

@@ -15,7 +15,8 @@ struct BodyLanes {
     CAMBRIAN_INLINE const Simd4d& operator[](int b) const { return block[b]; }
     CAMBRIAN_INLINE double at(int body) const { return block[body / kLanes][body % kLanes]; }
     CAMBRIAN_INLINE void add_at(int body, double value) {
-        block[body / kLanes][body % kLanes] += value;
+        const auto slot = static_cast<unsigned>(body);
+        block[slot / kLanes][slot % kLanes] += value;
     }
     CAMBRIAN_INLINE void fill(double value) {
         for (int b = 0; b < kBlocks; ++b)

@@ -92,11 +92,16 @@ CAMBRIAN_INLINE void slide_joint(const PlanarModel& model, const Motion& motion,
     k.joint_rate[i] = rate;
 }
 
+struct PlanarLanes {
+    Simd4d x, y;
+};
+
 // Sums the offsets of the pivots from their parents' pivots down the trees, adds the lever of each
-// centre, and shifts each tree so that its mean is the given centre.
+// centre, and shifts each tree so that its mean is the given centre. `lever` returns the levers of
+// four bodies.
+template <class Lever>
 CAMBRIAN_INLINE void sum_from_roots(const PlanarModel& model, const double* center,
-                                    const double* lever_x, const double* lever_y, double* x,
-                                    double* y) {
+                                    const Lever& lever, double* x, double* y) {
     const int slots = round_up_to_lanes(model.body_count);
     for (int t = 0; t < model.tree_count; ++t) {
         for (int i = model.tree_begin[t] + 1; i < model.tree_begin[t + 1]; ++i) {
@@ -108,8 +113,9 @@ CAMBRIAN_INLINE void sum_from_roots(const PlanarModel& model, const double* cent
         }
     }
     for (int i = 0; i < slots; i += kLanes) {
-        store_lanes(x + i, load_lanes(x + i) + load_lanes(lever_x + i));
-        store_lanes(y + i, load_lanes(y + i) + load_lanes(lever_y + i));
+        const PlanarLanes levers = lever(i);
+        store_lanes(x + i, load_lanes(x + i) + levers.x);
+        store_lanes(y + i, load_lanes(y + i) + levers.y);
     }
     for (int t = 0; t < model.tree_count; ++t) {
         const double* share = model.members_of(t).share;
@@ -127,22 +133,21 @@ CAMBRIAN_INLINE void sum_from_roots(const PlanarModel& model, const double* cent
 // Pivots: v_i = v_p + w_p z, and + s' axis behind prismatic joints; centres: + w_i s.
 CAMBRIAN_INLINE void move_bodies(const PlanarModel& model, const Kinematics& k, const double* rates,
                                  const double* spins, double* velocity_x, double* velocity_y) {
-    PerBody lever_x;
-    PerBody lever_y;
     for (int i = 0; i < model.body_count; i += kLanes) {
         const Simd4d parent_spin = gather(spins, model.parent_slot + i);
-        const Simd4d spin = load_lanes(spins + i);
         store_lanes(velocity_x + i, parent_spin * load_lanes(k.z_x + i));
         store_lanes(velocity_y + i, parent_spin * load_lanes(k.z_y + i));
-        store_lanes(lever_x + i, spin * load_lanes(k.s_x + i));
-        store_lanes(lever_y + i, spin * load_lanes(k.s_y + i));
     }
     for (int i = 0; model.has_slides && i < model.body_count; ++i) {
         if (model.motion[i] != JointMotion::kSlide) continue;
         velocity_x[i] += rates[i] * k.axis_x[i];
         velocity_y[i] += rates[i] * k.axis_y[i];
     }
-    sum_from_roots(model, rates + center_of(model, 0), lever_x, lever_y, velocity_x, velocity_y);
+    const auto lever = [&](int i) {
+        const Simd4d spin = load_lanes(spins + i);
+        return PlanarLanes{spin * load_lanes(k.s_x + i), spin * load_lanes(k.s_y + i)};
+    };
+    sum_from_roots(model, rates + center_of(model, 0), lever, velocity_x, velocity_y);
 }
 
 }  // namespace
@@ -192,13 +197,14 @@ void spread_rates(const PlanarModel& model, const Kinematics& place, const PerCo
 // Pivots: c_i = c_p - perp(z); centres: - perp(s).
 void compute_places(const PlanarModel& model, const Motion& motion, Kinematics& k) {
     if (model.stretch_count > 0) return place_stretched_bodies(model, motion, k);
-    PerBody lever_y;
     for (int i = 0; i < model.body_count; i += kLanes) {
         store_lanes(k.x + i, load_lanes(k.z_y + i));
         store_lanes(k.y + i, -load_lanes(k.z_x + i));
-        store_lanes(lever_y + i, -load_lanes(k.s_x + i));
     }
-    sum_from_roots(model, motion.position + center_of(model, 0), k.s_y, lever_y, k.x, k.y);
+    const auto lever = [&](int i) {
+        return PlanarLanes{load_lanes(k.s_y + i), -load_lanes(k.s_x + i)};
+    };
+    sum_from_roots(model, motion.position + center_of(model, 0), lever, k.x, k.y);
 }
 
 void compute_kinematics(const PlanarModel& model, const Motion& motion, Kinematics& kinematics) {

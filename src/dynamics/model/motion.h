@@ -38,14 +38,16 @@ inline int center_of(const PlanarModel& model, int tree) {
 }
 
 inline void copy_motion(const PlanarModel& model, const Motion& from, Motion& to) {
-    for (int c = 0; c < coordinate_slots(model); c += kLanes) {
+    const int slots = coordinate_slots(model);
+    for (int c = 0; c < slots; c += kLanes) {
         store_lanes(to.position + c, load_lanes(from.position + c));
         store_lanes(to.speed + c, load_lanes(from.speed + c));
     }
     std::memcpy(to.work, from.work, sizeof(to.work));
 }
 inline void copy_rate(const PlanarModel& model, const MotionRate& from, MotionRate& to) {
-    for (int c = 0; c < coordinate_slots(model); c += kLanes)
+    const int slots = coordinate_slots(model);
+    for (int c = 0; c < slots; c += kLanes)
         store_lanes(to.acceleration + c, load_lanes(from.acceleration + c));
     std::memcpy(to.power, from.power, sizeof(to.power));
 }

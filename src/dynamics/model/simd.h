@@ -19,7 +19,7 @@ using Simd4i = std::int64_t __attribute__((vector_size(kLanes * sizeof(std::int6
 using Simd2d = double __attribute__((vector_size(2 * sizeof(double))));
 
 inline constexpr int round_up_to_lanes(int count) {
-    return (count + kLanes - 1) / kLanes * kLanes;
+    return (count + kLanes - 1) & -kLanes;
 }
 
 CAMBRIAN_INLINE Simd4d load_lanes(const double* from) {
@@ -36,8 +36,17 @@ CAMBRIAN_INLINE Simd4d all_lanes(double value) {
 CAMBRIAN_INLINE Simd4d gather(const double* from, const int* index) {
     return Simd4d{from[index[0]], from[index[1]], from[index[2]], from[index[3]]};
 }
+// Returns the sums of neighbouring lanes (a0 + a1, b0 + b1, a2 + a3, b2 + b3).
+CAMBRIAN_INLINE Simd4d pair_sums(const Simd4d& a, const Simd4d& b) {
+#ifdef __AVX__
+    return __builtin_ia32_haddpd256(a, b);
+#else
+    return __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+#endif
+}
 CAMBRIAN_INLINE double sum_of(const Simd4d& lanes) {
-    return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+    const Simd4d sums = pair_sums(lanes, lanes);
+    return sums[0] + sums[2];
 }
 // Transposes the 4 x 4 matrix with these rows.
 CAMBRIAN_INLINE void transpose(Simd4d& a, Simd4d& b, Simd4d& c, Simd4d& d) {
@@ -72,6 +81,20 @@ CAMBRIAN_INLINE double largest_of(const Simd4d& lanes) {
     const double low = lanes[0] > lanes[1] ? lanes[0] : lanes[1];
     const double high = lanes[2] > lanes[3] ? lanes[2] : lanes[3];
     return low > high ? low : high;
+}
+
+// Returns the lanes in which a comparison is true, as bits.
+CAMBRIAN_INLINE unsigned true_lanes(const Simd4i& comparison) {
+#ifdef __AVX__
+    Simd4d signs;
+    std::memcpy(&signs, &comparison, sizeof(signs));
+    return static_cast<unsigned>(__builtin_ia32_movmskpd256(signs));
+#else
+    unsigned lanes = 0;
+    for (int lane = 0; lane < kLanes; ++lane)
+        lanes |= comparison[lane] != 0 ? 1U << lane : 0U;
+    return lanes;
+#endif
 }
 
 // The dot product of two arrays; count is a multiple of kLanes.

@@ -27,7 +27,8 @@ CAMBRIAN_INLINE double error_norm(const PlanarModel& model, const Motion& end,
                                   const PerCoordinate& position_error,
                                   const PerCoordinate& speed_error) {
     Simd4d sum = {};
-    for (int c = 0; c < coordinate_slots(model); c += kLanes) {
+    const int slots = coordinate_slots(model);
+    for (int c = 0; c < slots; c += kLanes) {
         const Simd4d position = kPerPosition * load_lanes(position_error + c);
         const Simd4d size = 1.0 + magnitude(load_lanes(end.speed + c));
         const Simd4d speed = load_lanes(speed_error + c) / size;
@@ -39,7 +40,8 @@ CAMBRIAN_INLINE double error_norm(const PlanarModel& model, const Motion& end,
 // Computes the motion after a time of constant accelerations.
 CAMBRIAN_INLINE void accelerate(const PlanarModel& model, const Motion& start, double time,
                                 const PerCoordinate& acceleration, Motion& end) {
-    for (int c = 0; c < coordinate_slots(model); c += kLanes) {
+    const int slots = coordinate_slots(model);
+    for (int c = 0; c < slots; c += kLanes) {
         const Simd4d change = time * load_lanes(acceleration + c);
         const Simd4d speed = load_lanes(start.speed + c);
         store_lanes(end.speed + c, speed + change);
@@ -50,9 +52,11 @@ CAMBRIAN_INLINE void accelerate(const PlanarModel& model, const Motion& start, d
 
 CAMBRIAN_INLINE void add_jumps(const PlanarModel& model, const PerCoordinate (&jumps)[2],
                                PerCoordinate (&errors)[2]) {
+    const int slots = coordinate_slots(model);
     for (int which = 0; which < 2; ++which) {
-        for (int c = 0; c < coordinate_count(model); ++c)
-            errors[which][c] += jumps[which][c];
+        for (int c = 0; c < slots; c += kLanes)
+            store_lanes(errors[which] + c,
+                        load_lanes(errors[which] + c) + load_lanes(jumps[which] + c));
     }
 }
 
@@ -76,12 +80,21 @@ bool MidpointStep::attempt(const MotionSystem& system, const ContactLaw& law,
     CAMBRIAN_TICK_ASSERT(step.length > 0.0 && step.tolerance > 0.0, "a step takes time");
     accelerate(model, step.start, half, request.prediction, predicted_);
     const ImplicitStage stage{half, request.start.kinematics.joint_rate};
-    system.evaluate(predicted_, step.time + half, EvaluationDetail::kEverything, middle_,
-                    middle_rate_, &stage);
-    if (contacts.selected().count > 0) find_centers(model, middle_);
+    const bool touches = contacts.selected().count > 0;
+    system.evaluate(predicted_, step.time + half,
+                    touches ? EvaluationDetail::kEverything : EvaluationDetail::kAccelerations,
+                    middle_, middle_rate_, &stage);
+    if (touches) find_centers(model, middle_);
     contacts.build_between(model, law, request.start.kinematics, middle_);
     const bool solved = contacts.solve_resting(model, law, step.length, warm);
-    respond(model, contacts, step.length);
+    if (contacts.holds_something())
+        respond(model, contacts, step.length);
+    else
+        respond_to_nothing(model);
+    const int slots = coordinate_slots(model);
+    for (int c = 0; c < slots; c += kLanes)
+        store_lanes(mean_rate_.acceleration + c,
+                    load_lanes(middle_rate_.acceleration + c) + load_lanes(held_.coordinate + c));
     accelerate(model, step.start, step.length, mean_rate_.acceleration, result.end);
     system.evaluate(result.end, step.time + step.length, EvaluationDetail::kEverything, cache,
                     result.end_rate);
@@ -105,9 +118,14 @@ void MidpointStep::respond(const PlanarModel& model, const ContactSolver& contac
         for (int c = coordinate_count(model); c < coordinate_slots(model); ++c)
             held_.coordinate[c] = 0.0;
     }
-    for (int c = 0; c < coordinate_slots(model); c += kLanes)
-        store_lanes(mean_rate_.acceleration + c,
-                    load_lanes(middle_rate_.acceleration + c) + load_lanes(held_.coordinate + c));
+}
+
+void MidpointStep::respond_to_nothing(const PlanarModel& model) {
+    const int slots = coordinate_slots(model);
+    for (int c = 0; c < slots; c += kLanes)
+        store_lanes(held_.coordinate + c, Simd4d{});
+    for (int i = 0; i < model.body_count; i += kLanes)
+        store_lanes(held_.spin + i, Simd4d{});
 }
 
 // Integrates the works. That of motors is exact, because their efforts are constant; those of drag
@@ -152,7 +170,8 @@ double MidpointStep::estimate_error(const PlanarModel& model, const ContactLaw& 
     const double h = step.length;
     PerCoordinate errors[2];   // of speeds, then of positions
     PerCoordinate changes[2];  // changes that the motors damp
-    for (int c = 0; c < coordinate_slots(model); c += kLanes) {
+    const int slots = coordinate_slots(model);
+    for (int c = 0; c < slots; c += kLanes) {
         const Simd4d start = load_lanes(step.start_rate.acceleration + c);
         const Simd4d end = load_lanes(result.end_rate.acceleration + c);
         const Simd4d middle = load_lanes(middle_rate_.acceleration + c);
@@ -167,30 +186,28 @@ double MidpointStep::estimate_error(const PlanarModel& model, const ContactLaw& 
     const double scale = kCaution / step.tolerance;
     const double whole = scale * error_norm(model, result.end, errors[1], errors[0]);
     if (whole <= kCalmError) return whole;
-    take_absorbed(model, law, contacts, errors);
+    if (!take_absorbed(model, law, contacts, errors)) return whole;
     return scale * error_norm(model, result.end, errors[1], errors[0]);
 }
 
 // Adds to the errors the response to the damping of implicit motors under changes of speeds.
 void MidpointStep::take_damping(const PlanarModel& model, const PerCoordinate (&changes)[2],
                                 PerCoordinate (&errors)[2]) const {
-    if (middle_.is_inverted) {
-        PerCoordinate jumps[2];
-        for (int which = 0; which < 2; ++which) {
-            PerBody efforts;
-            damp(model, changes[which], changes[which], efforts);
-            solve_dense_efforts(model, middle_, efforts, jumps[which]);
-        }
-        return add_jumps(model, jumps, errors);
-    }
-    Loads loads[2];
+    PerBody efforts[2];
+    PerCoordinate jumps[2];
     for (int which = 0; which < 2; ++which) {
-        PerBody spin;
-        spread_spins(model, changes[which], spin);
-        clear_loads(model, loads[which]);
-        damp(model, changes[which], spin, loads[which].effort);
+        if (middle_.is_inverted) {
+            damp(model, changes[which], changes[which], efforts[which]);
+            solve_dense_efforts(model, middle_, efforts[which], jumps[which]);
+        } else {
+            PerBody spin;
+            spread_spins(model, changes[which], spin);
+            damp(model, changes[which], spin, efforts[which]);
+        }
     }
-    add_responses(model, loads, errors);
+    if (!middle_.is_inverted)
+        solve_paired_efforts(model, middle_.kinematics, middle_.factors, efforts, jumps);
+    add_jumps(model, jumps, errors);
 }
 
 // Computes the efforts of the motors' damping against changes of the coordinates' speeds.
@@ -201,24 +218,29 @@ CAMBRIAN_INLINE void MidpointStep::damp(const PlanarModel& model, const PerCoord
                                      joint_accelerations(model, change, spin, i));
 }
 
-// Subtracts from the errors the part that active rows absorb.
-void MidpointStep::take_absorbed(const PlanarModel& model, const ContactLaw& law,
+// Subtracts from the errors the part that active rows absorb. Stops need the spins alone. Returns
+// false if there is no such part.
+bool MidpointStep::take_absorbed(const PlanarModel& model, const ContactLaw& law,
                                  ContactSolver& contacts, PerCoordinate (&errors)[2]) const {
     const Kinematics& k = middle_.kinematics;
     Loads loads[2];
     BodyResponse changes[2];
     for (int which = 0; which < 2; ++which) {
         BodyResponse& change = changes[which];
-        for (int c = 0; c < coordinate_slots(model); c += kLanes)
+        const int slots = coordinate_slots(model);
+        for (int c = 0; c < slots; c += kLanes)
             store_lanes(change.coordinate + c, load_lanes(errors[which] + c));
-        if (middle_.is_inverted)
+        if (contacts.selected().count == 0)
+            spread_spins(model, errors[which], change.spin);
+        else if (middle_.is_inverted)
             spread_dense_rates(model, k, errors[which], change.spin, change.x, change.y);
         else
             spread_rates(model, k, errors[which], change.spin, change.x, change.y);
         clear_loads(model, loads[which]);
     }
-    contacts.absorb(model, law, changes, loads);
+    if (!contacts.absorb(model, law, changes, loads)) return false;
     add_responses(model, loads, errors);
+    return true;
 }
 
 // Adds the responses of the coordinates to the loads in the middle of the step.

@@ -41,6 +41,7 @@ public:
 
 private:
     void respond(const PlanarModel& model, const ContactSolver& contacts, double h);
+    void respond_to_nothing(const PlanarModel& model);
     void integrate_works(const PlanarModel& model, const MidpointRequest& request,
                          const EvaluationCache& cache, StepResult& result);
     double estimate_error(const PlanarModel& model, const ContactLaw& law, const StepRequest& step,
@@ -49,7 +50,7 @@ private:
                       PerCoordinate (&errors)[2]) const;
     void damp(const PlanarModel& model, const PerCoordinate& change, const double* spin,
               PerBody& efforts) const;
-    void take_absorbed(const PlanarModel& model, const ContactLaw& law, ContactSolver& contacts,
+    bool take_absorbed(const PlanarModel& model, const ContactLaw& law, ContactSolver& contacts,
                        PerCoordinate (&errors)[2]) const;
     void add_responses(const PlanarModel& model, const Loads (&loads)[2],
                        PerCoordinate (&errors)[2]) const;

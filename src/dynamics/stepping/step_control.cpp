@@ -436,7 +436,8 @@ void StepControl::accept(Tick& tick, bool has_rows, double h) {
     copy_rate(tick.model, result_.end_rate, state.free_rate);
     state.has_last_acceleration = is_midpoint(has_rows);
     if (state.has_last_acceleration) {
-        for (int c = 0; c < coordinate_slots(tick.model); c += kLanes)
+        const int slots = coordinate_slots(tick.model);
+        for (int c = 0; c < slots; c += kLanes)
             store_lanes(state.last_acceleration + c,
                         load_lanes(midpoint_.mean_rate().acceleration + c));
     } else if (has_rows) {
@@ -510,7 +511,8 @@ void StepControl::remember_contacts(Tick& tick) {
 SceneStatus StepControl::status_of(const Tick& tick) {
     const Motion& motion = tick.state.motion;
     Simd4i sound = Simd4d{} <= Simd4d{};
-    for (int c = 0; c < coordinate_slots(tick.model); c += kLanes) {
+    const int slots = coordinate_slots(tick.model);
+    for (int c = 0; c < slots; c += kLanes) {
         sound &= magnitude(load_lanes(motion.position + c)) <= all_lanes(kMaxDistance);
         sound &= magnitude(load_lanes(motion.speed + c)) <= all_lanes(kMaxSpeed);
     }
