@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kLongestValue = 5'000'000;  // bytes
 constexpr int kPatience = 2000;           // ms to wait while another program reads or writes
+constexpr int kWriterCache = 256;         // kB of pages; writers hardly read what they wrote
 
 [[noreturn]] void fail(sqlite3* connection, int code) {
     switch (code & 0xff) {
@@ -227,6 +228,7 @@ void Database::make_durable() {
     if (!mode.step() || mode.text(0) != "wal")
         throw DatabaseError("it cannot have a write-ahead log there");
     mode.finish();
+    execute(fmt::format("PRAGMA cache_size = -{}", kWriterCache));
     execute("PRAGMA synchronous = FULL");
 }
 
