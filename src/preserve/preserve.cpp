@@ -516,8 +516,9 @@ Vec3 Preserve::birth_place(const Resident& parent, const Resident& child,
         return parent.center() + distance * Vec3(direction.cosine, direction.sine, 0.0);
     }
     const Bounds& own = child.bounds();
-    const auto steps = static_cast<double>(turn.index / 2);
-    const double away = kStartClearance + 0.5 * steps * (own.high.x() - own.low.x());
+    const std::size_t steps = turn.index / 2;
+    const double away =
+        kStartClearance + 0.5 * static_cast<double>(steps) * (own.high.x() - own.low.x());
     const double x = which % 2 == 0
                          ? parent.bounds().high.x() + away + child.center().x() - own.low.x()
                          : parent.bounds().low.x() - away + child.center().x() - own.high.x();
