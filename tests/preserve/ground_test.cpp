@@ -155,25 +155,7 @@ TEST_CASE("a walker on ground moves exactly as in a scene of its own", "[preserv
     settings.preserve.restock = 0;
     settings.preserve.width = 200.0;
     const auto preserve = begun(settings, {sample("walker")});
-    const Phenotype phenotype =
-        express(*sample("walker"), creature_kinds(), settings.expression, settings.world.scene);
-    auto scene = creature_kinds().scene.make(phenotype.plan, settings.world.environment,
-                                             settings.world.scene);
-    REQUIRE(scene);
-    REQUIRE((*scene)->begin_at(preserve->residents().front()->save().motion));
-    Creature alone(phenotype, creature_kinds(), settings.world.scene);
-    const CommonSenses senses({200.0, 8.0, true}, settings.world.environment);
-    const CreatureSenses surroundings(senses, 1);
-    ThreadPool pool(2);
-    for (int tick = 0; tick < 600; ++tick) {
-        preserve->tick(pool);
-        alone.act(**scene, surroundings, kBrainTick);
-        (*scene)->advance(kBrainTick);
-    }
-    REQUIRE(preserve->residents().size() == 1);
-    const SceneMotion moved = preserve->residents().front()->save().motion;
-    CHECK(moved.positions == (*scene)->motion().positions);
-    CHECK(moved.speeds == (*scene)->motion().speeds);
+    check_moved_as_alone(*preserve, settings, {sample("walker")});
 }
 
 TEST_CASE("threads do not change the bits of solid creatures on ground",
@@ -181,17 +163,7 @@ TEST_CASE("threads do not change the bits of solid creatures on ground",
     ExperimentSettings settings = land("solid");
     settings.preserve.width = 40.0;
     settings.preserve.founders = 14;
-    std::vector<std::uint64_t> digests;
-    for (const std::size_t workers : {1U, 2U, 7U}) {
-        const auto preserve = begun(settings, walkers());
-        ThreadPool pool(workers);
-        for (int tick = 0; tick < 300; ++tick)
-            preserve->tick(pool);
-        CHECK(preserve->solid_counts().joined_ticks > 50);
-        digests.push_back(digest(*preserve));
-    }
-    CHECK(digests[1] == digests[0]);
-    CHECK(digests[2] == digests[0]);
+    check_same_on_any_threads(settings, walkers(), 300, 50);
 }
 
 TEST_CASE("a world with ground goes on from its file with the same bits, and a replay repeats it",

@@ -69,25 +69,7 @@ TEST_CASE("a lone creature moves exactly as in a scene of its own", "[preserve]"
     settings.preserve.width = 100.0;
     settings.preserve.height = 100.0;
     const auto preserve = begun(settings, {fish(kind_catalog())});
-    const Phenotype phenotype =
-        express(*fish(kind_catalog()), creature_kinds(), settings.expression, settings.world.scene);
-    auto scene = creature_kinds().scene.make(phenotype.plan, settings.world.environment,
-                                             settings.world.scene);
-    REQUIRE(scene);
-    REQUIRE((*scene)->begin_at(preserve->residents().front()->save().motion));
-    Creature alone(phenotype, creature_kinds(), settings.world.scene);
-    const CommonSenses senses({100.0, 100.0}, settings.world.environment);
-    const CreatureSenses surroundings(senses, 1);
-    ThreadPool pool(2);
-    for (int tick = 0; tick < 600; ++tick) {
-        preserve->tick(pool);
-        alone.act(**scene, surroundings, kBrainTick);
-        (*scene)->advance(kBrainTick);
-    }
-    REQUIRE(preserve->residents().size() == 1);
-    const SceneMotion moved = preserve->residents().front()->save().motion;
-    CHECK(moved.positions == (*scene)->motion().positions);
-    CHECK(moved.speeds == (*scene)->motion().speeds);
+    check_moved_as_alone(*preserve, settings, {fish(kind_catalog())});
 }
 
 TEST_CASE("the walls keep swimmers inside", "[preserve]") {

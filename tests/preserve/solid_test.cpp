@@ -169,58 +169,18 @@ TEST_CASE("two solid creatures far apart move exactly as each in a trial of its 
     settings.preserve.energy_density = 10.0;
     const std::vector<GenomePtr> founders = {fish(kind_catalog()), eater(0.0)};
     const auto preserve = begun(settings, founders);
-    ThreadPool pool(2);
-    struct Alone {
-        std::unique_ptr<Phenotype> phenotype;
-        std::unique_ptr<PhysicsScene> scene;
-        std::unique_ptr<Creature> creature;
-    };
-    std::vector<Alone> alone;
     const auto& residents = preserve->residents();
     REQUIRE(residents.size() == 2);
     REQUIRE((residents[0]->center() - residents[1]->center()).norm() > 5.0);
-    for (std::size_t i = 0; i < 2; ++i) {
-        Alone& each = alone.emplace_back();
-        each.phenotype = std::make_unique<Phenotype>(
-            express(*founders[i], creature_kinds(), settings.expression, settings.world.scene));
-        each.scene = *creature_kinds().scene.make(each.phenotype->plan, settings.world.environment,
-                                                  settings.world.scene);
-        REQUIRE(each.scene->begin_at(residents[i]->save().motion));
-        each.creature =
-            std::make_unique<Creature>(*each.phenotype, creature_kinds(), settings.world.scene);
-    }
-    const CommonSenses senses({60.0, 60.0}, settings.world.environment);
-    const CreatureSenses surroundings(senses, 1);
-    for (int tick = 0; tick < 600; ++tick) {
-        preserve->tick(pool);
-        for (Alone& each : alone) {
-            each.creature->act(*each.scene, surroundings, kBrainTick);
-            each.scene->advance(kBrainTick);
-        }
-    }
+    check_moved_as_alone(*preserve, settings, founders);
     CHECK(preserve->solid_counts().joined_ticks == 0);
-    REQUIRE(residents.size() == 2);
-    for (std::size_t i = 0; i < 2; ++i) {
-        CHECK(residents[i]->save().motion.positions == alone[i].scene->motion().positions);
-        CHECK(residents[i]->save().motion.speeds == alone[i].scene->motion().speeds);
-    }
 }
 
 TEST_CASE("threads do not change the bits of solid creatures", "[preserve][solid][threads]") {
     ExperimentSettings settings = solid_world();
     settings.preserve.founders = 30;
     settings.preserve.energy_density = 200.0;
-    std::vector<std::uint64_t> digests;
-    for (const std::size_t workers : {1U, 2U, 7U}) {
-        const auto preserve = begun(settings, {fish(kind_catalog()), eater(0.5)});
-        ThreadPool pool(workers);
-        for (int tick = 0; tick < 600; ++tick)
-            preserve->tick(pool);
-        CHECK(preserve->solid_counts().joined_ticks > 500);
-        digests.push_back(digest(*preserve));
-    }
-    CHECK(digests[1] == digests[0]);
-    CHECK(digests[2] == digests[0]);
+    check_same_on_any_threads(settings, {fish(kind_catalog()), eater(0.5)}, 600, 500);
 }
 
 TEST_CASE("solid creatures that go on from a snapshot have the bits of those that never stopped",
@@ -228,11 +188,6 @@ TEST_CASE("solid creatures that go on from a snapshot have the bits of those tha
     ExperimentSettings settings = solid_world();
     const std::vector<GenomePtr> founders = {eater(0.0), eater(1.0), fish(kind_catalog())};
     const auto uncut = begun(settings, founders);
-    ThreadPool pool(1);
-    const auto run_to = [&](Preserve& preserve, std::uint64_t tick) {
-        while (preserve.ticks() < tick)
-            preserve.tick(pool);
-    };
     const std::uint64_t end = kTicksPerSnapshot + by_build<std::uint64_t>(900, 300);
     run_to(*uncut, kTicksPerSnapshot);
     const PreserveState state = *uncut->snapshot();
@@ -241,7 +196,7 @@ TEST_CASE("solid creatures that go on from a snapshot have the bits of those tha
                                           kinds(), founders, state);
     REQUIRE(resumed);
     run_to(**resumed, end);
-    CHECK((*resumed)->solid_counts().joined_ticks > by_build(100U, 30U));
+    CHECK((*resumed)->solid_counts().joined_ticks > 100);
     CHECK(digest(**resumed) == digest(*uncut));
 }
 

@@ -13,6 +13,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -57,6 +58,71 @@ inline void run_to(Preserve& preserve, std::uint64_t tick) {
         preserve.tick(pool);
 }
 
+inline std::uint64_t digest(const Preserve& preserve) {
+    return digest_of(words_of(preserve.save()));
+}
+
+// Requires that the residents, which have these genotypes, move for ten seconds exactly as each
+// does in a scene of its own.
+inline void check_moved_as_alone(Preserve& preserve, const ExperimentSettings& settings,
+                                 const std::vector<GenomePtr>& genomes) {
+    struct Alone {
+        Phenotype phenotype;
+        std::unique_ptr<PhysicsScene> scene;
+        std::unique_ptr<Creature> creature;
+    };
+    std::deque<Alone> alone;  // their places last
+    const auto& residents = preserve.residents();
+    REQUIRE(residents.size() == genomes.size());
+    for (std::size_t i = 0; i < genomes.size(); ++i) {
+        Alone& each = alone.emplace_back();
+        each.phenotype =
+            express(*genomes[i], creature_kinds(), settings.expression, settings.world.scene);
+        auto scene = creature_kinds().scene.make(each.phenotype.plan, settings.world.environment,
+                                                 settings.world.scene);
+        REQUIRE(scene);
+        each.scene = *std::move(scene);
+        REQUIRE(each.scene->begin_at(residents[i]->save().motion));
+        each.creature =
+            std::make_unique<Creature>(each.phenotype, creature_kinds(), settings.world.scene);
+    }
+    const CommonSenses senses(area_of(settings.preserve, settings.world.environment),
+                              settings.world.environment);
+    const CreatureSenses surroundings(senses, 1);
+    ThreadPool pool(2);
+    for (int tick = 0; tick < 600; ++tick) {
+        preserve.tick(pool);
+        for (Alone& each : alone) {
+            each.creature->act(*each.scene, surroundings, kBrainTick);
+            each.scene->advance(kBrainTick);
+        }
+    }
+    REQUIRE(residents.size() == genomes.size());
+    for (std::size_t i = 0; i < genomes.size(); ++i) {
+        const SceneMotion moved = residents[i]->save().motion;
+        CHECK(moved.positions == alone[i].scene->motion().positions);
+        CHECK(moved.speeds == alone[i].scene->motion().speeds);
+    }
+}
+
+// Requires that a world of solid creatures has the same bits after some ticks on 1, 2 and 7
+// threads, and that more than so many ticks of creatures were computed with others.
+inline void check_same_on_any_threads(const ExperimentSettings& settings,
+                                      const std::vector<GenomePtr>& founders, std::uint64_t ticks,
+                                      std::uint64_t fewest_joined) {
+    std::vector<std::uint64_t> digests;
+    for (const std::size_t workers : {1U, 2U, 7U}) {
+        const auto preserve = begun(settings, founders);
+        ThreadPool pool(workers);
+        while (preserve->ticks() < ticks)
+            preserve->tick(pool);
+        CHECK(preserve->solid_counts().joined_ticks > fewest_joined);
+        digests.push_back(digest(*preserve));
+    }
+    CHECK(digests[1] == digests[0]);
+    CHECK(digests[2] == digests[0]);
+}
+
 // A preserve of a small world in a new file, and what both began with.
 struct KeptWorld {
     SettingsPtr settings;
@@ -77,10 +143,6 @@ inline KeptWorld kept_in(const std::filesystem::path& path, const ExperimentSett
     REQUIRE(file);
     world.file = *std::move(file);
     return world;
-}
-
-inline std::uint64_t digest(const Preserve& preserve) {
-    return digest_of(words_of(preserve.save()));
 }
 
 // Requires that a file leads from a snapshot to the next one with the same bits, and returns what
