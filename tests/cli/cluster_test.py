@@ -213,7 +213,6 @@ class Garbage(ClusterTest):
         self.end_and_compare(run, "garbage", ENDLESS)
         client.close()
 
-
     def test_more_answers_than_a_worker_asked_for_do_not_damage_it(self):
         """The C library checks the worker's memory, and ends it if something was written beyond a
         block."""

@@ -135,8 +135,8 @@ class NatsClient:
             elif line.startswith(b"-ERR"):
                 self.errors.append(line.decode().strip())
             elif line.startswith((b"MSG", b"HMSG")):
-                body = self.lines.read(int(line.split()[-1]) + 2)[:-2]
                 fields = line.decode().split()
+                body = self.lines.read(int(fields[-1]) + 2)[:-2]
                 self.messages.append((fields[1], body))
                 if len(fields) == (5 if fields[0] == "MSG" else 6):
                     self.replies.append(fields[3])

@@ -55,10 +55,7 @@ class StudioLook(StudioTest):
         self.look_at_everything(1280, 720, 1, painted=True)
 
     def test_everything_looks_right_at_1920x1080(self):
-        self.look_at_everything(1920, 1080, 1, [self.look_at_window, self.look_at_menus,
-                                                self.look_at_cards, self.look_at_inspector,
-                                                self.look_at_timeline, self.look_at_overlays,
-                                                self.look_at_hand_picking, self.look_at_preserve])
+        self.look_at_everything(1920, 1080, 1)
 
     def test_everything_looks_right_at_1920x1080_twice_as_large(self):
         self.look_at_everything(1920, 1080, 2)
