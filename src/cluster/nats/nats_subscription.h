@@ -24,7 +24,6 @@ public:
     NatsSubscription(const NatsSubscription&) = delete;
     NatsSubscription& operator=(const NatsSubscription&) = delete;
 
-    natsSubscription* get() const { return subscription_.get(); }
     bool valid() const { return natsSubscription_IsValid(subscription_.get()); }
     // Returns null if no message arrives in time.
     NatsHandle<natsMsg> next(std::chrono::milliseconds longest) const;
