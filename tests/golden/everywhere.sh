@@ -81,13 +81,13 @@ done
 # Emulators use one core most of the time, so all platforms are checked at once.
 reports=$(mktemp -d)
 trap 'rm -rf "$reports"' EXIT
+declare -A checks=()
 for name in "${built[@]}"; do
   check_on "$name" >"$reports/$name" 2>&1 &
-  checks[$!]=$name
+  checks[$name]=$!
 done
-for process in "${!checks[@]}"; do
-  name=${checks[$process]}
-  wait "$process" || failed+=("$name")
+for name in "${built[@]}"; do
+  wait "${checks[$name]}" || failed+=("$name")
   printf -- '-- %s: ' "$name"
   cat "$reports/$name"
 done

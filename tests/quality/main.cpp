@@ -98,13 +98,10 @@ int run_plan(const Options& options) {
     ThreadPool pool(options.threads);
     pool.parallel_for(runs.size(), [&](std::size_t index, std::size_t /*worker*/) {
         const auto result = perform(runs[index], kinds, champions);
-        if (!result) {
-            std::fprintf(stderr, "%s\n", result.error().message.c_str());
-            complete = false;
-        } else if (!tables.keep(*result)) {
-            std::fprintf(stderr, "%s: a run could not be written\n", options.folder.c_str());
-            complete = false;
-        }
+        if (result && tables.keep(*result)) return;
+        refuse(result ? Error{options.folder.string() + ": a run could not be written"}
+                      : result.error());
+        complete = false;
     });
     return complete ? 0 : kBadInput;
 }

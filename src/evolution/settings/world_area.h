@@ -29,7 +29,7 @@ struct WorldArea {
     // around a standing creature does.
     bool holds(const Vec3& center, double radius) const {
         return std::max(center.x(), -center.x()) + radius <= 0.5 * width &&
-               center.y() + radius <= top() && (has_ground || radius - center.y() <= top());
+               center.y() + radius <= top() && (has_ground || center.y() - radius >= bottom());
     }
     // Returns the nearest point between the walls.
     Vec3 nearest(const Vec3& point) const {
