@@ -5,12 +5,12 @@
 #include "cluster/messages/text_for_people.h"
 #include "cluster/units/unit_process.h"
 #include "core/hash.h"
+#include "core/random_id.h"
 #include "persist/text/digest_text.h"
 
 #include <fmt/core.h>
 
 #include <array>
-#include <random>
 #include <system_error>
 #include <unistd.h>
 
@@ -33,11 +33,6 @@ std::string machine_name() {
     std::array<char, 256> name{};
     if (::gethostname(name.data(), name.size() - 1) != 0 || name[0] == '\0') return "unnamed";
     return text_for_people(name.data(), kLongestName);
-}
-
-std::uint64_t random_id() {
-    std::random_device chance;
-    return (std::uint64_t{chance()} << 32U) | chance();
 }
 
 Result<std::unique_ptr<EvaluationBackend>> join_cluster(const EvolutionKinds& kinds,

@@ -37,7 +37,4 @@ std::string plain_text_warning(const ClusterAddress& address);
 // Returns the displayed name of this machine.
 std::string machine_name();
 
-// Returns an id different from that of any other process.
-std::uint64_t random_id();
-
 }  // namespace cambrian

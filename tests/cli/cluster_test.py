@@ -165,6 +165,40 @@ class Runs(ClusterTest):
         self.assert_same_run(expected, "one")
         self.assert_same_run(expected, "two")
 
+    def test_each_unit_goes_to_one_worker(self):
+        server = self.start_server()
+        for i in range(3):
+            self.start_worker(server.url)
+        client = server.client()
+        client.subscribe("cambrian.result.>")
+        self.evolve("shared", "--cluster", server.url, settings=ENDLESS)
+        sent = self.listen(client, lambda: [subject for subject, _ in client.messages], 60)
+        self.assertEqual(len(sent), len(set(sent)), sent)
+
+    def test_runs_do_not_read_answers_of_each_other(self):
+        server = self.start_server()
+        self.start_worker(server.url)
+        client = server.client()
+        client.subscribe("cambrian.work.>")
+        for name in ("one", "two"):
+            self.evolve(name, "--cluster", server.url, settings=ENDLESS)
+        expected = self.listen(client, lambda: client.replies, 40)
+        self.assertEqual(len(expected), len(set(expected)), expected)
+        inboxes = {subject.rsplit(".", 1)[0] for subject in expected}
+        self.assertEqual(len(inboxes), 2, inboxes)
+
+    def listen(self, client, heard, count):
+        """Returns what was heard, at least `count` times, of the messages that arrive."""
+        found = []
+        end = time.monotonic() + 60
+        while len(found) < count and time.monotonic() < end:
+            client.flush()
+            found += heard()
+            time.sleep(0.02)
+        client.close()
+        self.assertGreaterEqual(len(found), count)
+        return found
+
     def test_a_run_that_is_interrupted_leaves_nothing_behind(self):
         server = self.start_server()
         self.start_worker(server.url)

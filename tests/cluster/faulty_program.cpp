@@ -13,12 +13,12 @@
 #include "app/process/process.h"
 #include "cluster/bit_flipper.h"
 #include "cluster/connection/cluster_connection.h"
-#include "cluster/join_cluster.h"
 #include "cluster/messages/result_text.h"
 #include "cluster/messages/unit_text.h"
 #include "cluster/units/unit_child.h"
 #include "cluster/worker/worker.h"
 #include "core/files/file_io.h"
+#include "core/random_id.h"
 #include "persist/text/digest_text.h"
 #include "support/kinds.h"
 

@@ -9,6 +9,7 @@
 #include "cluster/join_cluster.h"
 #include "cluster/messages/text_for_people.h"
 #include "cluster/units/unit_child.h"
+#include "core/random_id.h"
 #include "core/threads/thread_pool.h"
 
 #include <CLI/CLI.hpp>

@@ -3,6 +3,8 @@
 #include "cluster/connection/complaints.h"
 #include "cluster/connection/credentials.h"
 #include "cluster/messages/text_for_people.h"
+#include "core/random_id.h"
+#include "persist/text/digest_text.h"
 
 #include <fmt/format.h>
 
@@ -202,7 +204,7 @@ std::string last_nats_error() {
 }
 
 std::variant<std::shared_ptr<NatsSession>, LinkFailure> NatsSession::connect(
-    const ClusterAddress& address, const std::string& inbox) {
+    const ClusterAddress& address, const std::string& inbox_prefix) {
     natsOptions* made = nullptr;
     if (natsOptions_Create(&made) != NATS_OK) return LinkFailure{last_nats_error(), true};
     const NatsHandle<natsOptions> options(made);
@@ -224,10 +226,10 @@ std::variant<std::shared_ptr<NatsSession>, LinkFailure> NatsSession::connect(
     natsOptions_SetFailRequestsOnDisconnect(made, true);
     natsOptions_SetSendAsap(made, true);
     natsOptions_SetNoEcho(made, true);
-    natsOptions_SetCustomInboxPrefix(made, inbox.c_str());
 
     std::shared_ptr<NatsSession> session(new NatsSession);
-    session->inbox_ = inbox;
+    session->inbox_ = fmt::format("{}.{}", inbox_prefix, hex_text(random_id()));
+    natsOptions_SetCustomInboxPrefix(made, session->inbox_.c_str());
     session->events_ = std::make_unique<NatsEvents>();
     session->events_->attach(made);
     natsConnection* connection = nullptr;

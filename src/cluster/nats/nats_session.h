@@ -26,9 +26,10 @@ class NatsEvents;
 
 class NatsSession {
 public:
-    // `inbox` is the subject on which answers to requests arrive. Takes up to a few seconds.
+    // Answers to requests arrive on subjects of this session alone, below `inbox_prefix`. Takes up
+    // to a few seconds.
     static std::variant<std::shared_ptr<NatsSession>, LinkFailure> connect(
-        const ClusterAddress& address, const std::string& inbox);
+        const ClusterAddress& address, const std::string& inbox_prefix);
     ~NatsSession();
     NatsSession(const NatsSession&) = delete;
     NatsSession& operator=(const NatsSession&) = delete;

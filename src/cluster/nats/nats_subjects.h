@@ -52,7 +52,7 @@ public:
     std::string stop(std::uint64_t run) const;
     std::optional<std::uint64_t> stopped_run(std::string_view subject) const;
 
-    // Subjects on which answers to a role's requests arrive; only that role may subscribe to them.
+    // Answers to a role's requests arrive below these subjects; only that role may subscribe there.
     std::string worker_inbox() const { return fmt::format("_INBOX.{}.worker", cluster_); }
     std::string coordinator_inbox() const { return fmt::format("_INBOX.{}.coordinator", cluster_); }
 
