@@ -17,4 +17,8 @@ struct Bounds {
     }
 };
 
+inline Bounds moved(const Bounds& bounds, const Vec3& shift) {
+    return {bounds.low + shift, bounds.high + shift};
+}
+
 }  // namespace cambrian
