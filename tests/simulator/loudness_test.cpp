@@ -126,3 +126,27 @@ TEST_CASE("impacts are heard by their impulse", "[simulator][sound]") {
     CHECK(sounds[1].band == kCreatureBand);
     CHECK(sounds[1].loudness == 1.0);
 }
+
+TEST_CASE("where edges meet, sounds come from their nearest images", "[simulator][sound]") {
+    RandomStream stream(11);
+    for (const Torus torus : {Torus{9.0, 7.0}, Torus{60.0, 42.0}}) {
+        LoudnessSum sum(torus);
+        std::vector<Call> calls = random_calls(60, 40.0, 5);
+        for (Call& call : calls) {
+            call.sound.place = torus.shortest(call.sound.place);
+            sum.add(call.sound, call.creature);
+        }
+        sum.finish();
+        for (int i = 0; i < 100; ++i) {
+            const Vec3 point =
+                torus.shortest({stream.uniform(-40.0, 40.0), stream.uniform(-40.0, 40.0), 0.0});
+            double expected = 0.0;
+            for (const Call& call : calls) {
+                if (call.sound.band != 1) continue;
+                const double distance = torus.shortest(call.sound.place - point).norm();
+                expected += loudness_at(distance, call.sound.loudness);
+            }
+            CHECK(sum.at(point, 1, kListener) == Approx(expected).epsilon(0.05));
+        }
+    }
+}

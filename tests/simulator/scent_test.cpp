@@ -97,6 +97,27 @@ TEST_CASE("the field of a source one cell on is the field one cell on, bit for b
     }
 }
 
+TEST_CASE("where edges meet, scent spreads across them as anywhere else", "[simulator][scent]") {
+    ScentArea area = closed(7, 5);
+    area.sides_meet = true;
+    area.ends_meet = true;
+    ScentField field(area);
+    ScentField across(area);
+    field.add(center_of(area, 2, 2), 3.0);
+    across.add(center_of(area, 6, 4), 3.0);
+    run(field, 80);
+    run(across, 80);
+    for (int row = 0; row < area.rows; ++row) {
+        for (int column = 0; column < area.columns; ++column)
+            REQUIRE(across.cell((column + 4) % area.columns, (row + 2) % area.rows) ==
+                    Approx(field.cell(column, row)).epsilon(1e-12));
+    }
+    CHECK(across.total() == Approx(0.5 * 3.0));
+    // Both sides of an edge are one place.
+    CHECK(across.at({0.0, 1.0, 0.0}) == Approx(across.at({3.5, 1.0, 0.0})));
+    CHECK(across.at({1.0, 0.0, 0.0}) == Approx(across.at({1.0, 2.5, 0.0})));
+}
+
 TEST_CASE("scent is lost at open edges and stays behind walls", "[simulator][scent]") {
     ScentArea area{.columns = 6, .rows = 6};
     ScentField open(area);

@@ -55,6 +55,14 @@ void LoudnessSum::finish() {
         cell.center /= cell.loudness;
 }
 
+// Returns whether an image of the cell, across an edge, is about as near as the cells beside that
+// of the point.
+bool LoudnessSum::is_near_across(const Cell& cell, const Vec3& point) const {
+    const Vec3 way = cell.center - point;
+    const Vec3 nearest = torus_.shortest(way);
+    return nearest != way && nearest.cwiseAbs().maxCoeff() < 2.0 * kCellSize;
+}
+
 bool LoudnessSum::is_of(const Cell& cell, std::uint32_t creature) const {
     return std::any_of(sounds_.begin() + static_cast<std::ptrdiff_t>(cell.begin),
                        sounds_.begin() + static_cast<std::ptrdiff_t>(cell.end),
@@ -66,7 +74,8 @@ double LoudnessSum::exact(const Cell& cell, const Vec3& point, std::uint32_t cre
     for (std::size_t i = cell.begin; i < cell.end; ++i) {
         const Heard& heard = sounds_[i];
         if (heard.creature == creature) continue;
-        sum += loudness_at((heard.sound.place - point).norm(), heard.sound.loudness);
+        const Vec3 way = torus_.shortest(heard.sound.place - point);
+        sum += loudness_at(way.norm(), heard.sound.loudness);
     }
     return sum;
 }
@@ -77,10 +86,11 @@ double LoudnessSum::at(const Vec3& point, int band, std::uint32_t creature) cons
     double sum = 0.0;
     for (const Cell& cell : cells_) {
         if (cell.band != band) continue;
-        const bool near = std::abs(cell.x - x) <= 1 && std::abs(cell.y - y) <= 1;
+        const bool near =
+            (std::abs(cell.x - x) <= 1 && std::abs(cell.y - y) <= 1) || is_near_across(cell, point);
         sum += near || is_of(cell, creature)
                    ? exact(cell, point, creature)
-                   : loudness_at((cell.center - point).norm(), cell.loudness);
+                   : loudness_at(torus_.shortest(cell.center - point).norm(), cell.loudness);
     }
     return sum;
 }

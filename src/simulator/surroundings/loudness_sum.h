@@ -3,6 +3,7 @@
 // The sounds of one tick and their loudness anywhere (simulator/README.md 6), for any number of
 // creatures.
 
+#include "math/torus.h"
 #include "world/emissions.h"
 
 #include <cstddef>
@@ -18,6 +19,9 @@ inline double loudness_at(double distance, double loudness) {
 
 class LoudnessSum {
 public:
+    // Sounds come from their nearest images on the torus.
+    explicit LoudnessSum(const Torus& torus = {}) : torus_(torus) {}
+
     // Allocates nothing later if at most this many sounds are added between two clear()s.
     void reserve(std::size_t sounds);
     void clear();
@@ -48,9 +52,11 @@ private:
         Vec3 center = Vec3::Zero();  // mean of the places, weighted by loudness
     };
 
+    bool is_near_across(const Cell& cell, const Vec3& point) const;
     bool is_of(const Cell& cell, std::uint32_t creature) const;
     double exact(const Cell& cell, const Vec3& point, std::uint32_t creature) const;
 
+    Torus torus_;
     std::vector<Heard> sounds_;
     std::vector<Cell> cells_;
 };

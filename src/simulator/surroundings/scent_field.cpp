@@ -47,17 +47,22 @@ void ScentField::clear() {
     any_ = false;
 }
 
-// Behind a wall is the mirror image of the cell in front of it, behind an open edge nothing.
+// Behind a wall is the mirror image of the cell in front of it or, where edges meet, the cell at
+// the opposite edge; behind an open edge is nothing.
 void ScentField::fill_margin() {
+    const int right = area_.columns - 1;
+    const int top = area_.rows - 1;
+    const int behind_left = area_.sides_meet ? right : 0;
+    const int behind_bottom = area_.ends_meet ? top : 0;
     for (int row = 0; row < area_.rows; ++row) {
-        cells_[index(-1, row)] = area_.wall_left ? cells_[index(0, row)] : 0.0;
+        cells_[index(-1, row)] = area_.wall_left ? cells_[index(behind_left, row)] : 0.0;
         cells_[index(area_.columns, row)] =
-            area_.wall_right ? cells_[index(area_.columns - 1, row)] : 0.0;
+            area_.wall_right ? cells_[index(right - behind_left, row)] : 0.0;
     }
     for (int column = -1; column <= area_.columns; ++column) {
-        cells_[index(column, -1)] = area_.wall_bottom ? cells_[index(column, 0)] : 0.0;
+        cells_[index(column, -1)] = area_.wall_bottom ? cells_[index(column, behind_bottom)] : 0.0;
         cells_[index(column, area_.rows)] =
-            area_.wall_top ? cells_[index(column, area_.rows - 1)] : 0.0;
+            area_.wall_top ? cells_[index(column, top - behind_bottom)] : 0.0;
     }
 }
 

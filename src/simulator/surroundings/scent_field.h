@@ -15,6 +15,8 @@ struct ScentArea {
     int columns = 1, rows = 1;        // of cells of kScentCell
     // Whether an edge is a wall. Scent that passes another edge is gone.
     bool wall_left = false, wall_right = false, wall_bottom = false, wall_top = false;
+    // Whether scent that passes one of two walls that are opposite enters at the other one.
+    bool sides_meet = false, ends_meet = false;
 };
 
 inline constexpr double kScentCell = 0.5;      // m, side of a cell
