@@ -21,13 +21,16 @@ constexpr const char* kNoRoom = "There is no room: other creatures are in the wa
 constexpr double kEraseDistance = 0.5;       // m; from a wall
 constexpr double kGoldenTurn = 2.399963230;  // rad, between two plants of a spiral
 
-// Returns the place nearest to the one asked for at which a circle is between the walls.
+// Returns the place nearest to the one asked for at which a circle is between the walls; where
+// edges meet, its image in the area.
 Vec3 place_between_walls(const WorldArea& area, const Vec3& asked, double radius) {
     const double x = std::max(0.5 * area.width - radius, 0.0);
     const double y = std::max(0.5 * area.height - radius, 0.0);
     const Vec3 middle = area.middle();
-    return {std::clamp(asked.x(), -x, x), std::clamp(asked.y(), middle.y() - y, middle.y() + y),
-            0.0};
+    Vec3 place = area.torus().shortest(asked);
+    if (area.has_sides()) place.x() = std::clamp(place.x(), -x, x);
+    if (area.has_top()) place.y() = std::clamp(place.y(), middle.y() - y, middle.y() + y);
+    return place;
 }
 
 // Returns how far the next place to look for room is from the first one, for a circle: on a spiral
@@ -68,8 +71,10 @@ Result<std::uint64_t> Preserve::carry_out(const Intervention& asked) {
     }
     if (asked.what == intervention::kFeed) return serve(place);
     if (asked.what == intervention::kAdd) return admit(asked.genome, place);
-    if (asked.what == intervention::kWall)
-        return build_wall({place, {asked.to_x, asked.to_y, 0.0}});
+    if (asked.what == intervention::kWall) {
+        const Vec3 from = torus_.shortest(place);
+        return build_wall({from, Vec3(asked.to_x, asked.to_y, 0.0) - (place - from)});
+    }
     if (asked.what == intervention::kErase) return erase_wall(place);
     if (is_law(asked.what)) {
         if (Status changed = change_law(asked); !changed) return changed.error();
@@ -118,11 +123,11 @@ std::optional<Vec3> Preserve::room_near(const Vec3& asked, const Resident& resid
                                         resident.radius()),
                     resident);
         const Vec3 shift = place - resident.center();
-        const Bounds& present = resident.bounds();
-        const Bounds bounds{present.low + shift, present.high + shift};
+        const Bounds bounds = moved(resident.bounds(), shift);
         const bool is_taken =
-            solid_ && std::any_of(room.taken.begin(), room.taken.end(),
-                                  [&](const Bounds& other) { return overlap(other, bounds); });
+            solid_ && std::any_of(room.taken.begin(), room.taken.end(), [&](const Bounds& other) {
+                return overlap(other, bounds, torus_);
+            });
         if (!is_taken && !room.walls.meet(bounds) && is_free_of_others(bounds, resident))
             return place;
     }
@@ -159,7 +164,7 @@ Result<std::uint64_t> Preserve::build_wall(const WallLine& wall) {
         return Error{fmt::format("This wall cannot be built: {}.", sound.error().message)};
     std::vector<WallLine> lines = walls_.lines();
     lines.push_back(wall);
-    if (Status made = make_way(DrawnWalls(lines)); !made) return made.error();
+    if (Status made = make_way(DrawnWalls(lines, torus_)); !made) return made.error();
     use_walls(std::move(lines));
     return walls_.lines().size();
 }
@@ -173,11 +178,9 @@ Status Preserve::make_way(const DrawnWalls& walls) {
         if (!walls.meet(each->rectangles())) continue;
         const std::optional<Vec3> place = room_near(each->center(), *each, {walls, taken});
         if (!place) return Error{"There is no room for the creatures in the way of this wall."};
-        const Bounds bounds = each->bounds();
-        const Vec3 shift = *place - each->center();
         movers.push_back(each.get());
         places.push_back(*place);
-        taken.push_back({bounds.low + shift, bounds.high + shift});
+        taken.push_back(moved(each->bounds(), *place - each->center()));
     }
     for (std::size_t i = 0; i < movers.size(); ++i)
         movers[i]->place(places[i], Vec3::Zero());
@@ -215,7 +218,7 @@ Result<std::uint64_t> Preserve::admit(const GenomePtr& genome, const Vec3& place
     const std::optional<Vec3> center = room_near(place, resident, {walls_});
     if (!center) return Error{kNoRoom};
     if (!area_.holds(*center, resident.radius()))
-        return Error{"The creature is too large for the walls."};
+        return Error{"The creature is too large for the world."};
     if (!can_pay(resident)) {
         return Error{fmt::format("The light has {} left, and the creature costs {}.",
                                  joules_text(ambient_), joules_text(price_of(resident)))};

@@ -33,7 +33,8 @@ Energy body_of(const Resident& resident, const PreserveSettings& laws) {
     return energy_of(laws.body_energy * resident.life.mass);
 }
 
-constexpr double kFar = 1e4;  // m
+constexpr double kFar = 1e4;       // m
+constexpr double kFarRound = 1e9;  // m, where creatures may go round the world for all their lives
 
 template <class Item>
 std::vector<Item> checked(Result<std::vector<Item>> items) {
@@ -41,11 +42,13 @@ std::vector<Item> checked(Result<std::vector<Item>> items) {
     return *std::move(items);
 }
 
-// Returns whether all parts of a resident are anywhere near the world.
-bool strays_little(const Resident& resident) {
+// Returns whether all parts of a resident are anywhere near the world, or its images.
+bool strays_little(const Resident& resident, const Torus& torus) {
+    const Vec3 far(torus.width > 0.0 ? kFarRound : kFar, torus.height > 0.0 ? kFarRound : kFar,
+                   kFar);
     return std::all_of(
         resident.rectangles().begin(), resident.rectangles().end(),
-        [](const Rectangle& part) { return (part.center.array().abs() < kFar).all(); });
+        [&](const Rectangle& part) { return (part.center.array().abs() < far.array()).all(); });
 }
 
 }  // namespace
@@ -57,16 +60,18 @@ Preserve::Preserve(SettingsPtr settings, const EvolutionKinds& kinds,
       kinds_(kinds),
       founders_(std::move(founders)),
       area_(area_of(settings_->preserve, settings_->world.environment)),
+      torus_(area_.torus()),
       constant_(energy_of(settings_->preserve.energy_density * area_.width * area_.height)),
       senses_(area_, settings_->world.environment),
-      walls_(checked(walls_of(settings_->preserve.walls))),
+      walls_(checked(walls_of(settings_->preserve.walls)), torus_),
       patches_(checked(patches_of(settings_->preserve.patches))),
       plants_(area_.up_to(settings_->preserve.plant_height)),
       flesh_(area_.up_to(0.0)),
-      ambient_(constant_) {
+      ambient_(constant_),
+      meetings_(torus_) {
     CAMBRIAN_ASSERT(!founders_.empty(), "a preserve has founders");
     if (is_solid(settings_->preserve))
-        solid_ = std::make_unique<SolidBodies>(kinds_.creature.scene);
+        solid_ = std::make_unique<SolidBodies>(kinds_.creature.scene, torus_);
 }
 
 Result<std::unique_ptr<Preserve>> Preserve::begin(SettingsPtr settings, const EvolutionKinds& kinds,
@@ -193,7 +198,7 @@ Result<std::unique_ptr<Resident>> Preserve::newcomer(std::size_t place, std::str
             place + 1)};
     }
     return Error{
-        fmt::format("founder {} is too large for the walls: it needs {} m, the world has "
+        fmt::format("founder {} is too large for the world: it needs {} m, the world has "
                     "{} m x {} m",
                     which, short_text(2.0 * resident.radius()), short_text(area_.width),
                     short_text(area_.height))};
@@ -325,7 +330,8 @@ Status Preserve::restore(const PreserveState& state) {
             return unsuitable;
         before = each.life.number;
         auto grown = Resident::grow(each.life, kinds_.creature, *settings_, senses_);
-        if (!grown || !(*grown)->restore(each) || !strays_little(**grown)) return unsuitable;
+        if (!grown || !(*grown)->restore(each) || !strays_little(**grown, torus_))
+            return unsuitable;
         take_in(std::move(*grown));
     }
     feel_energy();
@@ -353,7 +359,9 @@ void Preserve::live(ThreadPool& pool) {
     make_workspaces(pool.workers());
     if (solid_) return move_solid(pool);
     pool.parallel_for(residents_.size(), [&](std::size_t index, std::size_t worker) {
-        residents_[index]->live(workspaces_[worker], area_);
+        Resident& resident = *residents_[index];
+        if (walls_have_images()) surround(resident, resident.bounds());
+        resident.live(workspaces_[worker], area_);
     });
 }
 
@@ -365,10 +373,21 @@ void Preserve::move_solid(ThreadPool& pool) {
                           .bounds = each->bounds(),
                           .fastest = each->fastest(),
                           .pulls = kPullsOfWalls});
-    const SolidActs acts{
+    SolidActs acts{
         .begin = [&](std::size_t index) { residents_[index]->act(area_); },
         .end = [&](std::size_t index) { residents_[index]->end_tick(bodies[index].status); }};
+    if (walls_have_images()) {
+        acts.surround = [&](std::size_t index, const Bounds& bounds) {
+            surround(*residents_[index], bounds);
+        };
+    }
     solid_->advance(bodies, kBrainTick, acts, workspaces_, pool);
+}
+
+// Gives a resident the images of the walls that bodies within these bounds can reach. Where edges
+// do not meet, all have the same walls.
+void Preserve::surround(Resident& resident, const Bounds& bounds) const {
+    resident.surround_by(walls_.boxes_around(bounds));
 }
 
 void Preserve::make_workspaces(std::size_t workers) {
@@ -395,7 +414,7 @@ bool Preserve::is_free(const Bounds& bounds, const Resident& of) const {
 
 bool Preserve::is_free_of_others(const Bounds& bounds, const Resident& of) const {
     return !solid_ || std::none_of(residents_.begin(), residents_.end(), [&](const auto& each) {
-        return each.get() != &of && overlap(each->bounds(), bounds);
+        return each.get() != &of && overlap(each->bounds(), bounds, torus_);
     });
 }
 
@@ -409,11 +428,16 @@ void Preserve::bite() {
     bounds_.clear();
     for (const auto& each : residents_)
         bounds_.push_back(grown(each->bounds(), bite_reach(*each, laws_->preserve)));
-    for (const auto& [first, second] : meetings_.find(bounds_)) {
-        Resident& a = *residents_[first];
-        Resident& b = *residents_[second];
-        cambrian::bite(a, b, laws_->preserve, tick_, flesh_);
-        cambrian::bite(b, a, laws_->preserve, tick_, flesh_);
+    const BiteRules rules{laws_->preserve, tick_, torus_};
+    Meetings::Pair before;
+    for (const Meetings::Pair& pair : meetings_.find(bounds_)) {
+        const bool is_other_image = pair.first == before.first && pair.second == before.second;
+        before = pair;
+        if (is_other_image) continue;
+        Resident& a = *residents_[pair.first];
+        Resident& b = *residents_[pair.second];
+        cambrian::bite(a, b, rules, flesh_);
+        cambrian::bite(b, a, rules, flesh_);
     }
 }
 
@@ -526,7 +550,7 @@ Vec3 Preserve::birth_place(const Resident& parent, const Resident& child,
 }
 
 // Places the child beside its parent, at the first of 16 places between the walls, on the same side
-// of those that were drawn.
+// of those that were drawn. Where edges meet, it is born in the area, wherever its parent went.
 void Preserve::bear(Resident& parent, std::unique_ptr<Resident> child, RandomStream& stream) {
     const std::size_t first = stream.below(kBirthPlaces);
     const Vec3 velocity = area_.has_ground ? Vec3(Vec3::Zero()) : parent.velocity();
@@ -534,12 +558,13 @@ void Preserve::bear(Resident& parent, std::unique_ptr<Resident> child, RandomStr
         const Vec3 center = birth_place(parent, *child, {first, i});
         if (!area_.holds(center, child->radius()) || walls_.separate(parent.center(), center))
             continue;
-        child->place(center, velocity);
+        const Vec3 place = torus_.shortest(center);
+        child->place(place, velocity);
         if (!is_free(child->bounds(), *child)) continue;
         parent.store -= child->store + child->body;
         ++parent.life.children;
-        child->life.x = center.x();
-        child->life.y = center.y();
+        child->life.x = place.x();
+        child->life.y = place.y();
         child->last_birth = tick_;
         join_lineage(*child, &parent);
         ++next_number_;

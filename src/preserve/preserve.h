@@ -103,6 +103,8 @@ private:
         const DrawnWalls& walls;
         std::span<const Bounds> taken = {};
     };
+    bool walls_have_images() const { return torus_.meets() && !walls_.lines().empty(); }
+    void surround(Resident& resident, const Bounds& bounds) const;
     Vec3 footing(const Vec3& place, const Resident& resident) const;
     std::optional<Vec3> room_near(const Vec3& asked, const Resident& resident,
                                   const Room& room) const;
@@ -144,6 +146,7 @@ private:
     const EvolutionKinds& kinds_;
     std::vector<GenomePtr> founders_;
     WorldArea area_;
+    Torus torus_;
     Energy constant_;
     CommonSenses senses_;
     DrawnWalls walls_;

@@ -65,6 +65,20 @@ class Preserve(ProgramTest):
         self.assertEqual(one, two)
         self.assertEqual(one, seven)
 
+    def test_a_preserve_whose_edges_meet_is_resumed_verified_and_drawn(self):
+        self.write("torus.toml", POND + 'edges = "wrap"\n')
+        uncut = self.rows("torus.toml", "-f", *SWIMMERS, "--seconds", 120, "-t", 2)
+        self.assertNotEqual(uncut, self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 120))
+        self.rows("torus.toml", "-f", *SWIMMERS, "--seconds", 75, "-o", "a.cambrian")
+        self.assertEqual(self.rows("-r", "a.cambrian", "--seconds", 120), uncut[6:])
+        self.assertIn("replay verified, 3 snapshots up to 120 s",
+                      self.run_well("verify", "a.cambrian").stdout)
+        for row in uncut:
+            self.assertAlmostEqual(sum(row["energy"].values()), 100 * 12 * 10, places=5)
+        self.write("torus.toml", POND + 'edges = "wraps"\n')
+        self.assert_refused(self.run_program("preserve", "torus.toml"),
+                            '[preserve] edges: unknown "wraps"; did you mean "wrap"?')
+
     def test_a_preserve_resumed_is_the_one_that_was_never_stopped(self):
         uncut = self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 120, "-o", "uncut.cambrian")
         first = self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 75, "-o", "a.cambrian")

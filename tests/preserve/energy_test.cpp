@@ -55,7 +55,7 @@ struct Meeting {
 TEST_CASE("a bite moves the energy of a mouth's width, four fifths to the biter", "[preserve]") {
     Meeting meeting(1.0);
     const Energy before = meeting.total();
-    bite(*meeting.biter, *meeting.victim, meeting.settings.preserve, 0, meeting.flesh);
+    bite(*meeting.biter, *meeting.victim, {meeting.settings.preserve, 0, {}}, meeting.flesh);
     const Energy taken = energy_of(40.0 * 0.2 * kBrainTick);
     CHECK(meeting.victim->store == energy_of(10.0) - taken);
     CHECK(meeting.biter->store == energy_of(10.0) + taken - taken / 5);
@@ -69,7 +69,7 @@ TEST_CASE("a bite takes at most what is there, the body last", "[preserve]") {
     meeting.victim->store = 100;
     meeting.victim->body = 50;
     const Energy before = meeting.total();
-    bite(*meeting.biter, *meeting.victim, meeting.settings.preserve, 0, meeting.flesh);
+    bite(*meeting.biter, *meeting.victim, {meeting.settings.preserve, 0, {}}, meeting.flesh);
     CHECK(meeting.victim->store == 0);
     CHECK(meeting.victim->body == 0);
     CHECK(meeting.total() == before);
@@ -77,7 +77,7 @@ TEST_CASE("a bite takes at most what is there, the body last", "[preserve]") {
 
 TEST_CASE("a mouth for plants does not bite", "[preserve]") {
     Meeting meeting(0.0);
-    bite(*meeting.biter, *meeting.victim, meeting.settings.preserve, 0, meeting.flesh);
+    bite(*meeting.biter, *meeting.victim, {meeting.settings.preserve, 0, {}}, meeting.flesh);
     CHECK(meeting.victim->store == energy_of(10.0));
 }
 
@@ -85,11 +85,11 @@ TEST_CASE("parents and young children do not bite each other", "[preserve]") {
     Meeting meeting(1.0);
     meeting.victim->life.parents = {0, meeting.biter->life.number};
     const auto tick = static_cast<std::uint64_t>(meeting.settings.preserve.kin_peace * 60.0);
-    bite(*meeting.biter, *meeting.victim, meeting.settings.preserve, tick - 2, meeting.flesh);
-    bite(*meeting.victim, *meeting.biter, meeting.settings.preserve, tick - 2, meeting.flesh);
+    bite(*meeting.biter, *meeting.victim, {meeting.settings.preserve, tick - 2, {}}, meeting.flesh);
+    bite(*meeting.victim, *meeting.biter, {meeting.settings.preserve, tick - 2, {}}, meeting.flesh);
     CHECK(meeting.victim->store == energy_of(10.0));
     CHECK(meeting.biter->store == energy_of(10.0));
-    bite(*meeting.biter, *meeting.victim, meeting.settings.preserve, tick + 2, meeting.flesh);
+    bite(*meeting.biter, *meeting.victim, {meeting.settings.preserve, tick + 2, {}}, meeting.flesh);
     CHECK(meeting.victim->store < energy_of(10.0));
 }
 

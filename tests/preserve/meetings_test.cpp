@@ -11,7 +11,26 @@ std::vector<Meetings::Pair> all_pairs(const std::vector<Bounds>& bounds) {
     std::vector<Meetings::Pair> pairs;
     for (std::uint32_t a = 0; a < bounds.size(); ++a) {
         for (std::uint32_t b = a + 1; b < bounds.size(); ++b) {
-            if (overlap(bounds[a], bounds[b])) pairs.emplace_back(a, b);
+            if (overlap(bounds[a], bounds[b])) pairs.push_back({a, b, {}});
+        }
+    }
+    return pairs;
+}
+
+// Returns the same for all images up to some distance.
+std::vector<Meetings::Pair> all_pairs(const std::vector<Bounds>& bounds, const Torus& torus) {
+    constexpr std::int32_t kMost = 10;
+    const std::int32_t across = torus.width > 0.0 ? kMost : 0;
+    const std::int32_t upwards = torus.height > 0.0 ? kMost : 0;
+    std::vector<Meetings::Pair> pairs;
+    for (std::uint32_t a = 0; a < bounds.size(); ++a) {
+        for (std::uint32_t b = a + 1; b < bounds.size(); ++b) {
+            for (std::int32_t x = -across; x <= across; ++x) {
+                for (std::int32_t y = -upwards; y <= upwards; ++y) {
+                    if (overlap(bounds[a], moved(bounds[b], torus.shift_of({x, y}))))
+                        pairs.push_back({a, b, {x, y}});
+                }
+            }
         }
     }
     return pairs;
@@ -35,6 +54,28 @@ TEST_CASE("the grid finds exactly the overlapping pairs", "[preserve]") {
         found += pairs.size();
     }
     CHECK(found > 10'000);
+}
+
+TEST_CASE("where edges meet, the grid finds exactly the images that overlap", "[preserve][edges]") {
+    RandomStream random(stream_seed({3, static_cast<std::uint64_t>(Purpose::kTest)}));
+    // Bodies may be longer than the smallest world.
+    for (const Torus torus : {Torus{5.0, 5.0}, Torus{12.0, 0.0}, Torus{13.7, 8.1}}) {
+        Meetings meetings(torus);
+        std::size_t found = 0;
+        for (int round = 0; round < 20; ++round) {
+            std::vector<Bounds> bounds;
+            for (int i = 0; i < 40; ++i) {
+                const Vec3 low(random.uniform(-20.0, 20.0), random.uniform(-20.0, 20.0), 0.0);
+                const Vec3 sides(random.uniform(0.1, 6.0), random.uniform(0.1, 3.0), 0.0);
+                bounds.push_back({low, low + sides});
+            }
+            const auto pairs = meetings.find(bounds);
+            CHECK(std::vector<Meetings::Pair>(pairs.begin(), pairs.end()) ==
+                  all_pairs(bounds, torus));
+            found += pairs.size();
+        }
+        CHECK(found > 300);
+    }
 }
 
 TEST_CASE("rectangles overlap exactly where they share a point", "[preserve]") {

@@ -43,6 +43,30 @@ TEST_CASE("a mouth takes exactly the pellets within its reach", "[preserve]") {
     CHECK(pellets.all().size() < 2000);
 }
 
+TEST_CASE("where edges meet, a mouth reaches pellets across them", "[preserve][edges]") {
+    RandomStream random(stream_seed({4, static_cast<std::uint64_t>(Purpose::kTest)}));
+    const WorldArea area{10.0, 8.0, false, true};
+    Pellets pellets(area);
+    for (int round = 0; round < 300; ++round) {
+        for (int i = 0; i < 4; ++i)
+            pellets.add({random.uniform(-30.0, 30.0), random.uniform(-30.0, 30.0), 0.0}, 7);
+        const Rectangle mouth{Vec3(random.uniform(-40.0, 40.0), random.uniform(-40.0, 40.0), 0.0),
+                              Vec3(1.0, random.uniform(-1.0, 1.0), 0.0).normalized(), 0.6, 0.2};
+        std::size_t near = 0;
+        for (const Pellet& each : pellets.all()) {
+            CHECK(area.contains(each.place()));
+            const Vec3 way = area.torus().shortest(each.place() - mouth.center);
+            near += distance_to(mouth, mouth.center + way) <= 0.1 ? 1U : 0U;
+        }
+        CHECK(pellets.take(mouth, 0.1).size() == near);
+    }
+    Pellets flesh(area);
+    flesh.add_near({4.95, 0.0, 0.0}, 5, 0.25);
+    flesh.add_near({-4.9, 8.0, 0.0}, 6, 0.25);
+    REQUIRE(flesh.all().size() == 1);
+    CHECK(flesh.energy() == 11);
+}
+
 TEST_CASE("flesh loses half of its energy in a half-life and vanishes in the end", "[preserve]") {
     Pellets flesh(kArea);
     flesh.add(Vec3::Zero(), 1'000'000'000);

@@ -24,6 +24,11 @@ std::string founding_message(const ExperimentSettings& settings, GenomePtr found
 TEST_CASE("bad settings of a preserve give one clear message each", "[preserve]") {
     CHECK(message_of("") == "");
     CHECK(message_of("[preserve]\nbodies = \"solid\"\n") == "");
+    CHECK(message_of("[preserve]\nedges = \"wrap\"\n") == "");
+    CHECK(message_of("[preserve]\nedges = \"torus\"\n") ==
+          "pond.toml: line 2, [preserve] edges: unknown \"torus\"; known are walls, wrap");
+    CHECK(message_of("[preserve]\nedges = true\n").find("line 2, [preserve] edges: expected ") !=
+          std::string::npos);
     CHECK(message_of("[preserve]\nwidth = 4\n") ==
           "pond.toml: line 2, [preserve] width: 4 is outside [5, 1000] m");
     CHECK(message_of("[preserve]\nheigt = 9\n") ==
@@ -44,6 +49,13 @@ TEST_CASE("bad settings of a preserve give one clear message each", "[preserve]"
           "pond.toml: [preserve] walls: wall 2: it is 0.1 m long; expected at least 0.2 m");
     CHECK(
         message_of("[preserve]\nwalls = \"0 0 20.1 1\"\n") ==
+        "pond.toml: [preserve] walls: wall 1: an end is outside the world, which has 40 m x 25 m");
+    CHECK(message_of("[preserve]\nedges = \"wrap\"\nwalls = \"19 0 25 1\"\n") == "");
+    CHECK(
+        message_of("[preserve]\nedges = \"wrap\"\nwalls = \"21 0 19 0\"\n") ==
+        "pond.toml: [preserve] walls: wall 1: an end is outside the world, which has 40 m x 25 m");
+    CHECK(
+        message_of("[preserve]\nedges = \"wrap\"\nwalls = \"0 0 40.1 1\"\n") ==
         "pond.toml: [preserve] walls: wall 1: an end is outside the world, which has 40 m x 25 m");
     CHECK(message_of("[preserve]\npatches = \"-1 0  2.5\"\n") == "");
     CHECK(message_of("[preserve]\npatches = \"-1 0\"\n").find("patch 1 is not 3 numbers") !=
@@ -103,7 +115,7 @@ TEST_CASE("founders that cannot live there give one clear message each", "[prese
         last = next;
     }
     CHECK_THAT(founding_message(settings, builder.build()),
-               Catch::StartsWith("founder 1 is too large for the walls: it needs "));
+               Catch::StartsWith("founder 1 is too large for the world: it needs "));
 }
 
 TEST_CASE("the settings of a preserve read back as they were written", "[preserve]") {

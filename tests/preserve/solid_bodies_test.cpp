@@ -22,11 +22,14 @@ Environment bouncy_space() {
 class Bodies {
 public:
     explicit Bodies(std::size_t workers = 1, Environment environment = bouncy_space(),
-                    std::vector<FixedBox> walls = {})
+                    std::vector<FixedBox> walls = {}, const Torus& torus = {})
         : environment_(std::move(environment)),
           walls_(std::move(walls)),
-          solid_(creature_kinds().scene),
+          torus_(torus),
+          solid_(creature_kinds().scene, torus),
           pool_(workers) {}
+    explicit Bodies(const Torus& torus, std::size_t workers = 1)
+        : Bodies(workers, bouncy_space(), {}, torus) {}
 
     PhysicsScene& add(const BodyPlan& plan, const Vec3& velocity) {
         auto scene = creature_kinds().scene.make(plan, environment_, {});
@@ -51,14 +54,21 @@ public:
         solid_.advance(bodies_, kTestTick, {nothing, nothing}, workspaces_, pool_);
     }
 
-    // Returns the pairs of overlapping bodies that were neither joined nor crowded.
+    // Returns the pairs of bodies, or images of them, that overlap and were neither joined there
+    // nor crowded.
     int missed() const {
         const std::vector<Extent> extents = all_extents();
         int missed = 0;
         for (std::uint32_t a = 0; a < scenes_.size(); ++a) {
             for (std::uint32_t b = a + 1; b < scenes_.size(); ++b) {
-                if (solid_.were_joined(a, b) || are_crowded(a, b)) continue;
-                missed += meet(extents[a], extents[b]) ? 1 : 0;
+                if (are_crowded(a, b)) continue;
+                const bool joined = solid_.were_joined(a, b);
+                for (const Periods& image : images_beside(a, b)) {
+                    if (joined && image == Periods{}) continue;
+                    Extent there = extents[b];
+                    move(there, torus_.shift_of(image));
+                    missed += meet(extents[a], there) ? 1 : 0;
+                }
             }
         }
         return missed;
@@ -109,6 +119,20 @@ private:
             find_parts(*scenes_[i], extents[i]);
         return extents;
     }
+    // Returns the images of the second body that are nearest to the first one.
+    std::vector<Periods> images_beside(std::uint32_t a, std::uint32_t b) const {
+        if (!torus_.meets()) return std::vector<Periods>(1);
+        const Periods nearest = Periods{} - torus_.image_of(scenes_[b]->center_of_mass() -
+                                                            scenes_[a]->center_of_mass());
+        const std::int32_t across = torus_.width > 0.0 ? 1 : 0;
+        const std::int32_t upwards = torus_.height > 0.0 ? 1 : 0;
+        std::vector<Periods> images;
+        for (std::int32_t x = -across; x <= across; ++x) {
+            for (std::int32_t y = -upwards; y <= upwards; ++y)
+                images.push_back(nearest + Periods{x, y});
+        }
+        return images;
+    }
     static bool meet(const Extent& a, const Extent& b) {
         for (const Rectangle& first : a.parts) {
             for (const Rectangle& second : b.parts) {
@@ -125,6 +149,7 @@ private:
 
     Environment environment_;
     std::vector<FixedBox> walls_;
+    Torus torus_;
     SolidBodies solid_;
     ThreadPool pool_;
     std::vector<std::unique_ptr<PhysicsScene>> scenes_;
@@ -157,6 +182,66 @@ TEST_CASE("no two bodies meet that the broad phase did not expect", "[preserve][
         joined += bodies.counts().joined_ticks;
     }
     CHECK(joined > 1000);
+}
+
+TEST_CASE("no two bodies meet across edges that the broad phase did not expect",
+          "[preserve][solid][edges]") {
+    for (const double size : {5.0, 10.0, 11.3}) {
+        std::uint64_t joined = 0;
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+            Bodies bodies(Torus{size, size});
+            scatter(bodies, static_cast<int>(4.0 * size), 0.5 * size, 3.0, seed);
+            for (int tick = 0; tick < 120; ++tick) {
+                bodies.tick();
+                REQUIRE(bodies.missed() == 0);
+            }
+            joined += bodies.counts().joined_ticks;
+            for (std::size_t i = 0; i < bodies.size(); ++i)
+                CHECK(bodies.status(i) == SceneStatus::kRunning);
+        }
+        CHECK(joined > 500);
+    }
+}
+
+TEST_CASE("two bodies that meet across an edge bounce off, and keep their momentum",
+          "[preserve][solid][edges]") {
+    // A light one from the right, and a heavy one several widths away.
+    Bodies bodies(Torus{10.0, 0.0});
+    bodies.add(one_box(0.2, 0.1, 4.5, 0.0), Vec3(1.0, 0.1, 0.0));
+    bodies.add(one_box(0.2, 0.2, 35.5, 0.02), Vec3::Zero());
+    bodies.add(one_box(0.2, 0.2, -4.5, 2.0), Vec3::Zero());
+    const Vec3 before = bodies.momentum();
+    const double energy = bodies.kinetic_energy();
+    for (int tick = 0; tick < 90; ++tick) {
+        bodies.tick();
+        REQUIRE(bodies.missed() == 0);
+    }
+    CHECK((bodies.momentum() - before).norm() < 1e-12 * before.norm());
+    CHECK(bodies.kinetic_energy() < energy);
+    CHECK(bodies[1].center_of_mass_velocity().x() > 0.3);
+    CHECK(bodies[0].center_of_mass_velocity().x() < bodies[1].center_of_mass_velocity().x());
+    CHECK(bodies.counts().joined_ticks > 0);
+    CHECK(bodies.deepest() < 0.01);
+    // The second one was moved to beside the first one, and the third one met nobody.
+    CHECK(std::fabs(bodies[1].center_of_mass().x() - bodies[0].center_of_mass().x()) < 3.0);
+    CHECK(bodies[2].center_of_mass() == Vec3(-4.5, 2.0, 0.0));
+}
+
+TEST_CASE("a ring of bodies around the world is crowded at one place, and keeps its momentum",
+          "[preserve][solid][edges]") {
+    Bodies bodies(Torus{5.0, 5.0});
+    for (int i = 0; i < 12; ++i)
+        bodies.add(one_box(0.2, 0.2, -2.5 + i * 5.0 / 12.0, 0.001 * (i % 3)),
+                   Vec3(i % 2 == 0 ? 0.3 : -0.2, 0.0, 0.0));
+    const Vec3 before = bodies.momentum();
+    for (int tick = 0; tick < 240; ++tick) {
+        bodies.tick();
+        REQUIRE(bodies.missed() == 0);
+    }
+    CHECK((bodies.momentum() - before).norm() < 1e-11);
+    CHECK(bodies.counts().joined_ticks > 1000);
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        CHECK(bodies.status(i) == SceneStatus::kRunning);
 }
 
 TEST_CASE("a hundred crowded boxes stay bounded and keep their momentum", "[preserve][solid]") {
@@ -312,9 +397,10 @@ TEST_CASE("a body whose motion fails is left out, and its neighbours go on", "[p
 }
 
 TEST_CASE("workers do not change the bits of colliding bodies", "[preserve][solid][threads]") {
+    const Torus torus = GENERATE(Torus{}, Torus{8.0, 8.0});
     std::vector<std::uint64_t> digests;
     for (const std::size_t workers : {1U, 2U, 7U}) {
-        Bodies bodies(workers);
+        Bodies bodies(torus, workers);
         scatter(bodies, 60, 4.0, 2.0, 9);
         for (int tick = 0; tick < 90; ++tick)
             bodies.tick();

@@ -29,12 +29,19 @@ bool has_ground(const Settings& settings) {
 
 void add_world(TableBuilder& table) {
     table.number(
-        "width", "Width", "m", Range{5, 1000}, "The distance of the left and the right wall.",
+        "width", "Width", "m", Range{5, 1000},
+        "The distance of the left and the right wall, or the way round the world.",
         [](Settings & s) -> auto& { return s.preserve.width; });
     table.number(
         "height", "Height", "m", Range{5, 1000},
-        "The distance from the lower wall or, if there is one, the ground to the upper wall.",
+        "The distance from the lower wall or, if there is one, the ground to the upper wall, or "
+        "the way round the world.",
         [](Settings & s) -> auto& { return s.preserve.height; });
+    table.choice(
+        "edges", "Edges", {"walls", "wrap"},
+        "Walls are soft and keep creatures in. With wrap, what leaves the world on one side enters "
+        "it on the other; on ground only the left and the right edge meet.",
+        [](Settings & s) -> auto& { return s.preserve.edges; });
     table.choice(
         "bodies", "Bodies", {"solid", "ghostly"},
         "Solid creatures push each other, and bite what they touch. Ghostly ones pass through each "

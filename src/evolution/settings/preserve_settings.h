@@ -8,6 +8,7 @@ namespace cambrian {
 struct PreserveSettings {
     double width = 40.0;            // m
     double height = 25.0;           // m
+    std::string edges = "walls";    // "walls" or "wrap"
     std::string bodies = "solid";   // "solid" or "ghostly"
     int founders = 40;              // creatures at the start
     int max_population = 300;       // no births beyond
@@ -34,6 +35,10 @@ struct PreserveSettings {
 
     friend bool operator==(const PreserveSettings&, const PreserveSettings&) = default;
 };
+
+inline bool wraps(const PreserveSettings& settings) {
+    return settings.edges == "wrap";
+}
 
 inline bool is_solid(const PreserveSettings& settings) {
     return settings.bodies == "solid";

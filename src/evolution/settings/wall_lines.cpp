@@ -6,7 +6,21 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 namespace cambrian {
+namespace {
+
+// Returns whether both ends are within the world. Where edges meet, the other end may be beyond
+// one of them, at most once round the world.
+bool is_within(const WallLine& wall, const WorldArea& area) {
+    const Vec3 along = wall.to - wall.from;
+    return area.contains(wall.from) && area.contains(area.torus().shortest(wall.to)) &&
+           std::fabs(along.x()) <= area.width && std::fabs(along.y()) <= area.height;
+}
+
+}  // namespace
+
 Result<std::vector<WallLine>> walls_of(std::string_view text) {
     const auto rows = number_rows(text, {4, static_cast<std::size_t>(kMostFixedBoxes), "wall",
                                          "\"x y x y; ...\", the ends of each in m"});
@@ -18,7 +32,7 @@ Result<std::vector<WallLine>> walls_of(std::string_view text) {
 }
 
 Status check_wall(const WallLine& wall, const WorldArea& area) {
-    if (!area.contains(wall.from) || !area.contains(wall.to))
+    if (!is_within(wall, area))
         return Error{"an end is outside the world, which has " + size_text(area)};
     const double length = (wall.to - wall.from).norm();
     if (length >= kLeastWall) return {};

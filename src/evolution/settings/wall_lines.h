@@ -21,7 +21,8 @@ struct WallLine {
 // Reads "x y x y; x y x y": the ends of each wall in m. An empty text has none.
 Result<std::vector<WallLine>> walls_of(std::string_view text);
 
-// Fails if the wall is shorter than kLeastWall, or not within the world.
+// Fails if the wall is shorter than kLeastWall, or not within the world. Where edges meet, its
+// other end may be beyond them.
 Status check_wall(const WallLine& wall, const WorldArea& area);
 
 }  // namespace cambrian

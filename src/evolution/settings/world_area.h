@@ -3,6 +3,7 @@
 // The area of a preserve. The origin is its middle or, with ground, the middle of the ground.
 
 #include "evolution/settings/preserve_settings.h"
+#include "math/torus.h"
 #include "math/types.h"
 #include "world/environment.h"
 
@@ -15,38 +16,50 @@ struct WorldArea {
     double width = 0.0;       // m
     double height = 0.0;      // m
     bool has_ground = false;  // at height 0, in place of the lower wall
+    bool wraps = false;       // opposite edges meet; with ground, the left and the right one
 
     double left() const { return -0.5 * width; }
     double bottom() const { return has_ground ? 0.0 : -0.5 * height; }
     double top() const { return has_ground ? height : 0.5 * height; }
     Vec3 middle() const { return {0.0, has_ground ? 0.5 * height : 0.0, 0.0}; }
+    // Whether there are walls there.
+    bool has_sides() const { return !wraps; }
+    bool has_top() const { return !wraps || has_ground; }
+    bool has_bottom() const { return !wraps && !has_ground; }
+    Torus torus() const { return {has_sides() ? 0.0 : width, has_top() ? 0.0 : height}; }
 
     bool contains(const Vec3& point) const {
         return std::max(point.x(), -point.x()) <= 0.5 * width && point.y() >= bottom() &&
                point.y() <= top();
     }
     // Returns whether a circle is between the walls. It may reach below the ground, as the circle
-    // around a standing creature does.
+    // around a standing creature does. Where edges meet, it may be anywhere that it does not reach
+    // itself.
     bool holds(const Vec3& center, double radius) const {
-        return std::max(center.x(), -center.x()) + radius <= 0.5 * width &&
-               center.y() + radius <= top() && (has_ground || center.y() - radius >= bottom());
+        const double x = has_sides() ? std::max(center.x(), -center.x()) : 0.0;
+        const double y = has_top() ? center.y() : 0.0;
+        return x + radius <= 0.5 * width && y + radius <= top() &&
+               (has_ground || y - radius >= bottom());
     }
     // Returns the nearest point between the walls.
-    Vec3 nearest(const Vec3& point) const {
-        return {std::clamp(point.x(), left(), -left()), std::clamp(point.y(), bottom(), top()),
-                0.0};
+    Vec3 between_walls(const Vec3& point) const {
+        return {has_sides() ? std::clamp(point.x(), left(), -left()) : point.x(),
+                has_top() ? std::clamp(point.y(), bottom(), top()) : point.y(), 0.0};
     }
+    // Returns the image of that point in the area.
+    Vec3 nearest(const Vec3& point) const { return torus().shortest(between_walls(point)); }
     // With ground, returns the part of the area up to this height (m).
     WorldArea up_to(double limit) const {
-        return has_ground ? WorldArea{width, std::min(height, limit), true} : *this;
+        return has_ground ? WorldArea{width, std::min(height, limit), true, wraps} : *this;
     }
+    Bounds bounds() const { return {{left(), bottom(), 0.0}, {-left(), top(), 0.0}}; }
 };
 
 // Returns "40 m x 25 m", and that it is above the ground if there is one.
 std::string size_text(const WorldArea& area);
 
 inline WorldArea area_of(const PreserveSettings& settings, const Environment& environment) {
-    return {settings.width, settings.height, environment.has_ground};
+    return {settings.width, settings.height, environment.has_ground, wraps(settings)};
 }
 
 }  // namespace cambrian

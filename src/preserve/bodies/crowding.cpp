@@ -48,9 +48,9 @@ Overlap deepest_overlap(const Extent& a, const Extent& b) {
     return deepest;
 }
 
-Vec3 velocity_at(const BodyView& body, std::size_t part, const Vec3& point) {
-    const Twist twist = body.part_twist(part);
-    return twist.linear + twist.angular.cross(point - body.part_center(part));
+Vec3 velocity_at(const PressedBody& body, std::size_t part, const Vec3& point) {
+    const Twist twist = body.scene.part_twist(part);
+    return twist.linear + twist.angular.cross(point - body.shift - body.scene.part_center(part));
 }
 
 void pull_at(const PressedBody& body, std::size_t part, const Vec3& point, const Vec3& force) {
@@ -67,7 +67,7 @@ bool press_apart(const PressedBody& a, const PressedBody& b) {
     const Overlap found = deepest_overlap(a.extent, b.extent);
     if (!(found.depth > 0.0)) return false;
     const Vec3 relative =
-        velocity_at(a.scene, found.a, found.point) - velocity_at(b.scene, found.b, found.point);
+        velocity_at(a, found.a, found.point) - velocity_at(b, found.b, found.point);
     const double mass = a.scene.mass() * b.scene.mass() / (a.scene.mass() + b.scene.mass());
     const double force = mass * spring_force(found.depth, relative.dot(found.away));
     if (!(force > 0.0)) return false;

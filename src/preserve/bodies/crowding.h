@@ -12,6 +12,7 @@ struct PressedBody {
     PhysicsScene& scene;
     const Extent& extent;
     int& room;
+    Vec3 shift = Vec3::Zero();  // m, from the scene to where the extent is
 };
 
 // Presses the two parts apart that overlap most, with equal and opposite forces during the next

@@ -29,6 +29,20 @@ void find_parts(const BodyView& body, Extent& extent) {
     }
 }
 
+void move(Extent& extent, const Vec3& shift) {
+    for (Rectangle& part : extent.parts)
+        part = moved(part, shift);
+    for (Bounds& box : extent.boxes)
+        box = moved(box, shift);
+}
+
+const Extent& seen(const Extent& extent, const Vec3& shift, Extent& memory) {
+    if (shift == Vec3::Zero()) return extent;
+    memory = extent;
+    move(memory, shift);
+    return memory;
+}
+
 Bounds grown(const Bounds& bounds, double growth) {
     const Vec3 by(growth, growth, 0.0);
     return {bounds.low - by, bounds.high + by};

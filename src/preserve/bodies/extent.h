@@ -18,6 +18,11 @@ struct Extent {
 // Finds the parts and their boxes; the growth stays.
 void find_parts(const BodyView& body, Extent& extent);
 
+// Moves the parts and boxes.
+void move(Extent& extent, const Vec3& shift);
+// Returns the same elsewhere, in `memory` unless the shift (m) is zero.
+const Extent& seen(const Extent& extent, const Vec3& shift, Extent& memory);
+
 Bounds grown(const Bounds& bounds, double growth);
 // Returns the distance of two boxes along the axis on which they are farthest apart; negative if
 // they overlap.

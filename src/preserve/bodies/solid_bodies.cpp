@@ -33,6 +33,8 @@ void SolidBodies::advance(std::span<SolidBody> bodies, double duration, const So
         sizes.push_back(body.scene->size());
     islands_.begin(sizes, kind_->largest_join);
     islands_.join(expected_pairs());
+    images_.assign(bodies.size(), {});
+    bring_together(tick);
     press_crowded(tick);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (is_awake_[i]) bodies[i].scene->mark();
@@ -58,8 +60,8 @@ void SolidBodies::look_around(const Tick& tick) {
             grown(body.bounds, (body.fastest + kSurelySpeed) * tick.duration + kTouchDistance);
     }
     neighbours_.clear();
-    for (const auto& [first, second] : meetings_.find(reach_)) {
-        neighbours_.push_back({0.0, first, second});
+    for (const auto& [first, second, image] : meetings_.find(reach_)) {
+        neighbours_.push_back({0.0, first, second, image});
         is_awake_[first] = true;
         is_awake_[second] = true;
     }
@@ -82,14 +84,33 @@ void SolidBodies::begin(const Tick& tick, std::uint32_t body, std::size_t worker
 
 std::vector<NearPair> SolidBodies::expected_pairs() const {
     std::vector<NearPair> pairs;
+    Extent image;
     for (const NearPair& pair : neighbours_) {
         const Extent& a = before_[pair.first];
-        const Extent& b = before_[pair.second];
+        const Extent& b = seen(before_[pair.second], torus_.shift_of(pair.image), image);
         const double reach = a.growth + b.growth;
         const double gap = gap_between(a, b, reach);
-        if (gap <= reach) pairs.push_back({gap, pair.first, pair.second});
+        if (gap <= reach) pairs.push_back({gap, pair.first, pair.second, pair.image});
     }
     return pairs;
+}
+
+// Returns how far the image of the second body that the first one may touch is from it now.
+Vec3 SolidBodies::shift_of(const NearPair& pair) const {
+    return torus_.shift_of(images_[pair.first] + pair.image - images_[pair.second]);
+}
+
+// Moves the members of each island to their images beside its first one.
+void SolidBodies::bring_together(const Tick& tick) {
+    for (std::uint32_t i = 0; i < tick.bodies.size(); ++i) {
+        const Periods image = islands_.image(i);
+        if (image == images_[i]) continue;
+        const Vec3 shift = torus_.shift_of(image - images_[i]);
+        tick.bodies[i].scene->translate(shift);
+        tick.bodies[i].scene->mark();
+        move(before_[i], shift);
+        images_[i] = image;
+    }
 }
 
 void SolidBodies::press_crowded(const Tick& tick) {
@@ -97,11 +118,14 @@ void SolidBodies::press_crowded(const Tick& tick) {
     std::vector<int> room;
     for (const SolidBody& body : tick.bodies)
         room.push_back(kMostPulls - body.pulls);
+    Extent image;
     for (const NearPair& pair : islands_.crowded()) {
-        const auto pressed = [&](std::uint32_t i) {
-            return PressedBody{*tick.bodies[i].scene, before_[i], room[i]};
+        const auto pressed = [&](std::uint32_t i, const Vec3& shift) {
+            return PressedBody{*tick.bodies[i].scene, seen(before_[i], shift, image), room[i],
+                               shift};
         };
-        if (press_apart(pressed(pair.first), pressed(pair.second))) counts_.crowded_ticks += 2;
+        if (press_apart(pressed(pair.first, Vec3::Zero()), pressed(pair.second, shift_of(pair))))
+            counts_.crowded_ticks += 2;
     }
 }
 
@@ -141,7 +165,21 @@ void SolidBodies::run(const Tick& tick, std::vector<Island> islands) {
     });
 }
 
+void SolidBodies::surround(const Tick& tick, std::span<const std::uint32_t> members) const {
+    if (!tick.acts.surround) return;
+    Bounds all;
+    for (const std::uint32_t member : members) {
+        const Bounds& before = tick.bodies[member].bounds;
+        const Bounds bounds = moved(before, torus_.shift_of(images_[member]));
+        all.add(bounds.low);
+        all.add(bounds.high);
+    }
+    for (const std::uint32_t member : members)
+        tick.acts.surround(member, all);
+}
+
 void SolidBodies::run_alone(const Tick& tick, std::uint32_t body, std::size_t worker) {
+    surround(tick, {&body, 1});
     SolidBody& alone = tick.bodies[body];
     alone.scene->give_workspace(std::move(tick.workspaces[worker]));
     if (!is_awake_[body]) tick.acts.begin(body);
@@ -156,6 +194,7 @@ void SolidBodies::end(const Tick& tick, std::uint32_t body) {
 }
 
 void SolidBodies::run_joined(const Tick& tick, const Island& island, std::size_t worker) {
+    surround(tick, island.members);
     run_members(tick, island, worker);
     for (const std::uint32_t member : island.members) {
         PhysicsScene& scene = *tick.bodies[member].scene;
@@ -221,10 +260,11 @@ std::vector<bool> SolidBodies::find_leavers(const Tick& tick) {
 bool SolidBodies::is_settled(const Tick& tick, const NearPair& pair) const {
     return tick.bodies[pair.first].status != SceneStatus::kRunning ||
            tick.bodies[pair.second].status != SceneStatus::kRunning ||
-           islands_.are_joined(pair.first, pair.second) ||
+           islands_.are_together(pair) ||
            std::any_of(islands_.crowded().begin(), islands_.crowded().end(),
                        [&](const NearPair& other) {
-                           return other.first == pair.first && other.second == pair.second;
+                           return other.first == pair.first && other.second == pair.second &&
+                                  other.image == pair.image;
                        });
 }
 
@@ -238,12 +278,14 @@ std::vector<NearPair> SolidBodies::missed_pairs(const Tick& tick) {
         return left[i] ? 0.5 * kTouchDistance : before_[i].growth;
     };
     std::vector<NearPair> missed;
+    Extent image;
     for (const NearPair& pair : neighbours_) {
         if (!left[pair.first] && !left[pair.second]) continue;
         if (is_settled(tick, pair)) continue;
-        const double gap = gap_between_boxes(extent(pair.first), extent(pair.second));
+        const Extent& second = seen(extent(pair.second), shift_of(pair), image);
+        const double gap = gap_between_boxes(extent(pair.first), second);
         if (gap <= room(pair.first) + room(pair.second))
-            missed.push_back({gap, pair.first, pair.second});
+            missed.push_back({gap, pair.first, pair.second, pair.image});
     }
     return missed;
 }
@@ -261,6 +303,7 @@ void SolidBodies::redo(const Tick& tick, const std::vector<NearPair>& missed) {
         again[i] = true;
         if (tick.bodies[i].status == SceneStatus::kRunning) tick.bodies[i].scene->go_back();
     }
+    bring_together(tick);
     std::vector<Island> islands = list_islands(tick, again);
     counts_.redone += islands.size();
     run(tick, std::move(islands));

@@ -29,11 +29,14 @@ struct SolidBody {
     SceneStatus status = SceneStatus::kRunning;  // after the tick
 };
 
-// What bodies do besides moving, by index. Both are called on any worker, while the scene has a
-// workspace.
+// What bodies do besides moving, by index. All are called on any worker.
 struct SolidActs {
+    // While the scene has a workspace.
     std::function<void(std::size_t)> begin;  // once, before the body moves
     std::function<void(std::size_t)> end;    // after it moved; once more if it has to move again
+    // Before it moves, with the bounds of all that move with it; once more if it has to move again.
+    // May be empty.
+    std::function<void(std::size_t, const Bounds&)> surround = {};
 };
 
 // Sums over all ticks.
@@ -49,11 +52,13 @@ public:
     using Workspaces = std::span<std::unique_ptr<SceneWorkspace>>;  // one for each worker
 
     // Scenes must be of this kind. The kind must outlive it.
-    explicit SolidBodies(const SceneKind& kind) : kind_(&kind) {}
+    explicit SolidBodies(const SceneKind& kind, const Torus& torus = {})
+        : kind_(&kind), torus_(torus), meetings_(torus) {}
 
     // Advances all bodies, in ascending order of numbers; their scenes have no workspace. A body
-    // whose motion fails does not move, and the others move as if it were not there. The result is
-    // the same on any number of workers.
+    // whose motion fails does not move, and the others move as if it were not there. Those that are
+    // advanced as one are first moved to their images beside each other. The result is the same on
+    // any number of workers.
     void advance(std::span<SolidBody> bodies, double duration, const SolidActs& acts,
                  Workspaces workspaces, ThreadPool& pool);
 
@@ -82,10 +87,13 @@ private:
 
     void look_around(const Tick& tick);
     std::vector<NearPair> expected_pairs() const;
+    Vec3 shift_of(const NearPair& pair) const;
+    void bring_together(const Tick& tick);
     void press_crowded(const Tick& tick);
     std::vector<Island> list_islands(const Tick& tick, const std::vector<bool>& wanted);
     void run(const Tick& tick, std::vector<Island> islands);
     void begin(const Tick& tick, std::uint32_t body, std::size_t worker);
+    void surround(const Tick& tick, std::span<const std::uint32_t> members) const;
     void run_alone(const Tick& tick, std::uint32_t body, std::size_t worker);
     void run_joined(const Tick& tick, const Island& island, std::size_t worker);
     void run_members(const Tick& tick, const Island& island, std::size_t worker) const;
@@ -99,12 +107,14 @@ private:
     void count(const Tick& tick);
 
     const SceneKind* kind_;
+    Torus torus_;
     Meetings meetings_;
     std::vector<Bounds> reach_;         // within which every body surely stays
     std::vector<NearPair> neighbours_;  // pairs that could meet at all
     std::vector<bool> is_awake_;        // has a neighbour
     std::vector<Extent> before_, after_;
     Islands islands_;
+    std::vector<Periods> images_;  // to which each body was moved in this tick
     Memory memory_, next_memory_;
     SolidCounts counts_;
 };

@@ -45,6 +45,7 @@ LiveBrain PreserveCamera::brain_in(const Preserve& preserve) const {
 
 std::vector<ResidentPicture> PreserveCamera::residents_of(const Preserve& preserve) {
     const PreserveSettings& laws = preserve.settings()->preserve;
+    const Torus torus = area_of(laws, preserve.settings()->world.environment).torus();
     std::vector<ResidentPicture> pictures;
     std::vector<Known> living;
     pictures.reserve(preserve.residents().size());
@@ -57,15 +58,18 @@ std::vector<ResidentPicture> PreserveCamera::residents_of(const Preserve& preser
         const bool seen = known != known_.end() && known->number == number;
         living.push_back({number, seen ? std::move(known->phenotype)
                                        : std::make_shared<const Phenotype>(each->phenotype())});
-        const auto parts = each->rectangles();
+        const Vec3 center = torus.shortest(each->center());
+        std::vector<Rectangle> parts;
+        for (const Rectangle& part : each->rectangles())
+            parts.push_back(moved(part, center - each->center()));
         pictures.push_back(
             {.life = each->life,
              .store = joules(each->store),
              .body = joules(each->body),
              .birth_need = (2.0 * laws.birth_energy + laws.body_energy) * each->life.mass,
              .bitten = each->bitten,
-             .center = each->center(),
-             .parts = {parts.begin(), parts.end()},
+             .center = center,
+             .parts = std::move(parts),
              .phenotype = living.back().phenotype});
     }
     known_ = std::move(living);

@@ -23,11 +23,11 @@ class Preserve;
 
 struct ResidentPicture {
     Life life;
-    double store = 0.0;       // J
-    double body = 0.0;        // J
-    double birth_need = 0.0;  // J in store above which it may bear a child of its size
-    bool bitten = false;      // in the last tick
-    Vec3 center = Vec3::Zero();
+    double store = 0.0;          // J
+    double body = 0.0;           // J
+    double birth_need = 0.0;     // J in store above which it may bear a child of its size
+    bool bitten = false;         // in the last tick
+    Vec3 center = Vec3::Zero();  // m; where edges meet, of the image in the area
     std::vector<Rectangle> parts;
     std::shared_ptr<const Phenotype> phenotype;
 };

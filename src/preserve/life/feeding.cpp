@@ -29,11 +29,14 @@ bool is_young_child_of(const Resident& child, const Resident& parent, const Pres
 }
 
 // Returns the first part that is that near to a mouth, or the number of parts.
-std::size_t bitten_part(Rectangle mouth, double distance, std::span<const Rectangle> parts) {
+std::size_t bitten_part(Rectangle mouth, double distance, std::span<const Rectangle> parts,
+                        const Torus& torus) {
     mouth.half_length += distance;
     mouth.half_width += distance;
-    const auto found = std::find_if(parts.begin(), parts.end(),
-                                    [&](const Rectangle& part) { return overlap(mouth, part); });
+    const auto found = std::find_if(parts.begin(), parts.end(), [&](const Rectangle& part) {
+        const Vec3 way = part.center - mouth.center;
+        return overlap(mouth, moved(part, torus.shortest(way) - way));
+    });
     return static_cast<std::size_t>(found - parts.begin());
 }
 
@@ -89,15 +92,16 @@ double bite_reach(const Resident& resident, const PreserveSettings& laws) {
     return bite_distance(laws) + recoil;
 }
 
-void bite(Resident& biter, Resident& victim, const PreserveSettings& laws, std::uint64_t tick,
-          Pellets& flesh) {
+void bite(Resident& biter, Resident& victim, const BiteRules& rules, Pellets& flesh) {
+    const PreserveSettings& laws = rules.laws;
     if (biter.store <= 0) return;
-    if (is_young_child_of(biter, victim, laws, tick) ||
-        is_young_child_of(victim, biter, laws, tick))
+    if (is_young_child_of(biter, victim, laws, rules.tick) ||
+        is_young_child_of(victim, biter, laws, rules.tick))
         return;
     for (const Mouth& mouth : biter.mouths()) {
         const Rectangle& place = biter.rectangles()[mouth.part];
-        const std::size_t part = bitten_part(place, bite_distance(laws), victim.rectangles());
+        const std::size_t part =
+            bitten_part(place, bite_distance(laws), victim.rectangles(), rules.torus);
         const bool is_held = part < victim.rectangles().size();
         const Ram ram = ram_of(biter, mouth, victim);
         if (!is_held && ram.lost == 0.0) continue;

@@ -3,6 +3,7 @@
 // Energy that a resident gains and loses in a tick (preserve/README.md 3 and 4). None of these
 // functions makes or destroys energy.
 
+#include "math/torus.h"
 #include "preserve/life/resident.h"
 #include "preserve/world/pellets.h"
 
@@ -16,10 +17,16 @@ double bite_distance(const PreserveSettings& laws);
 // Returns how near (m) its bounds must be to another's, each grown by this, for a bite.
 double bite_reach(const Resident& resident, const PreserveSettings& laws);
 
+// What bites depend on besides the two.
+struct BiteRules {
+    const PreserveSettings& laws;
+    std::uint64_t tick;
+    Torus torus;  // parts are bitten at their nearest images
+};
+
 // Lets one bite the other for a tick, where a mouth is that near to a part or rammed it. Parents
 // and young children do not bite each other.
-void bite(Resident& biter, Resident& victim, const PreserveSettings& laws, std::uint64_t tick,
-          Pellets& flesh);
+void bite(Resident& biter, Resident& victim, const BiteRules& rules, Pellets& flesh);
 
 // Spends the energy of the last tick's work and of upkeep, at most all it has in store. Returns it.
 Energy spend(Resident& resident, const PreserveSettings& laws, std::uint64_t tick);

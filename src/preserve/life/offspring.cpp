@@ -23,12 +23,14 @@ const BreedingKind& draw_method(const Genome& genome, const ExperimentSettings& 
 
 // Returns the nearest grown creature within the distance of mates, or null.
 const Resident* nearest_mate(const Resident& parent, const Residents& all,
-                             const PreserveSettings& laws, std::uint64_t tick) {
+                             const ExperimentSettings& settings, std::uint64_t tick) {
+    const PreserveSettings& laws = settings.preserve;
+    const Torus torus = area_of(laws, settings.world.environment).torus();
     const Resident* nearest = nullptr;
     double least = laws.mate_distance;
     for (const auto& other : all) {
         if (other.get() == &parent || other->age(tick) < laws.birth_interval) continue;
-        const double distance = (other->center() - parent.center()).norm();
+        const double distance = torus.shortest(other->center() - parent.center()).norm();
         if (distance > least || (nearest != nullptr && distance == least)) continue;
         nearest = other.get();
         least = distance;
@@ -48,7 +50,7 @@ Life conceive(const Resident& parent, const Residents& all, const ExperimentSett
               RandomStream& stream) {
     const BreedingKind* method = &draw_method(parent.genome(), settings, kinds, stream);
     const Resident* mate =
-        method->parents > 1 ? nearest_mate(parent, all, settings.preserve, tick) : nullptr;
+        method->parents > 1 ? nearest_mate(parent, all, settings, tick) : nullptr;
     if (mate == nullptr && method->parents > 1) method = &single_parent_method(kinds.breeding);
     const IndividualPtr first = individual_of(parent, settings);
     const IndividualPtr second = mate == nullptr ? first : individual_of(*mate, settings);

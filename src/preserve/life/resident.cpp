@@ -74,6 +74,11 @@ void Resident::place(const Vec3& center, const Vec3& velocity) {
     find_places();
 }
 
+void Resident::surround_by(std::vector<FixedBox> boxes) {
+    boxes_ = std::move(boxes);
+    scene_->set_fixed_boxes(boxes_);
+}
+
 void Resident::live(std::unique_ptr<SceneWorkspace>& workspace, const WorldArea& area) {
     act(area);
     scene_->give_workspace(std::move(workspace));

@@ -43,6 +43,8 @@ public:
     Vec3 standing_at(double x) const;
     // Moves the centre of mass, and gives all parts that velocity.
     void place(const Vec3& center, const Vec3& velocity);
+    // Lets it collide with these boxes instead of those before.
+    void surround_by(std::vector<FixedBox> boxes);
     // Thinks and moves for a tick in a workspace of its scene. Changes nothing else, so residents
     // may do so at the same time.
     void live(std::unique_ptr<SceneWorkspace>& workspace, const WorldArea& area);
@@ -99,6 +101,7 @@ private:
     std::vector<Mouth> mouths_;
     std::vector<Rectangle> rectangles_;
     std::vector<SceneImpact> impacts_;
+    std::vector<FixedBox> boxes_;  // of its own, if any
     Bounds bounds_;
     Vec3 center_ = Vec3::Zero(), velocity_ = Vec3::Zero();
     double fastest_ = 0.0;

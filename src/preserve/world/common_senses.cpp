@@ -11,37 +11,70 @@ namespace {
 // Smell that food gives off, for each J and second.
 constexpr double kFoodSmell = 0.02;
 
-ScentArea walled(const WorldArea& area) {
-    return {.left = area.left(),
-            .bottom = area.bottom(),
-            .columns = static_cast<int>(std::ceil(area.width / kScentCell)),
-            .rows = static_cast<int>(std::ceil(area.height / kScentCell)),
+// Returns the number of cells in a length. Between edges that meet they are complete.
+int cells_in(double length, bool meet) {
+    const double cells = length / kScentCell;
+    return static_cast<int>(meet ? std::round(cells) : std::ceil(cells));
+}
+
+ScentArea scent_area(const WorldArea& area) {
+    const Torus torus = area.torus();
+    const int columns = cells_in(area.width, torus.width > 0.0);
+    const int rows = cells_in(area.height, torus.height > 0.0);
+    return {.left = torus.width > 0.0 ? -0.5 * kScentCell * columns : area.left(),
+            .bottom = torus.height > 0.0 ? -0.5 * kScentCell * rows : area.bottom(),
+            .columns = columns,
+            .rows = rows,
             .wall_left = true,
             .wall_right = true,
             .wall_bottom = true,
-            .wall_top = true};
+            .wall_top = true,
+            .sides_meet = torus.width > 0.0,
+            .ends_meet = torus.height > 0.0};
 }
 
-void give_off(const Pellets& pellets, ScentField& field) {
-    constexpr double amount = kFoodSmell * kTicksPerScentStep * kBrainTick;  // for each J
-    for (const Pellet& pellet : pellets.all())
-        field.add(pellet.place(), amount * joules(pellet.energy));
+// Returns by how much a period is stretched to be that of a field.
+double stretch(double period, int cells) {
+    return period > 0.0 ? kScentCell * cells / period : 1.0;
 }
 
 }  // namespace
 
 CommonSenses::CommonSenses(const WorldArea& area, const Environment& environment)
     : environment_(environment),
+      torus_(area.torus()),
       light_(environment, {}, 1.0),
-      scent_(walled(area)),
-      plants_(walled(area)),
-      flesh_(walled(area)) {
+      sounds_(torus_),
+      scent_(scent_area(area)),
+      plants_(scent_area(area)),
+      flesh_(scent_area(area)) {
+    const ScentArea& cells = scent_.area();
+    stretch_ = {stretch(torus_.width, cells.columns), stretch(torus_.height, cells.rows), 1.0};
     const SineCosine pull = sine_cosine_of_degrees(environment.gravity_direction);
     if (environment.gravity > 0.0) up_ = Vec3(-pull.cosine, -pull.sine, 0.0);
 }
 
+// Where edges meet, the light is at its nearest image.
+Light CommonSenses::light(const Vec3& point) const {
+    if (!torus_.meets()) return light_.at(point);
+    return light_.at(light_.place() - torus_.shortest(light_.place() - point));
+}
+
 double CommonSenses::sound(const Vec3& point, int band, std::uint64_t creature) const {
-    return environment_.deaf ? 0.0 : sounds_.at(point, band, static_cast<std::uint32_t>(creature));
+    if (environment_.deaf) return 0.0;
+    return sounds_.at(torus_.shortest(point), band, static_cast<std::uint32_t>(creature));
+}
+
+// Returns where a point is in the fields, whose cells are stretched to go round a world exactly.
+Vec3 CommonSenses::in_fields(const Vec3& point) const {
+    if (!torus_.meets()) return point;
+    return torus_.shortest(point).cwiseProduct(stretch_);
+}
+
+void CommonSenses::give_off(const Pellets& pellets, ScentField& field) const {
+    constexpr double amount = kFoodSmell * kTicksPerScentStep * kBrainTick;  // for each J
+    for (const Pellet& pellet : pellets.all())
+        field.add(in_fields(pellet.place()), amount * joules(pellet.energy));
 }
 
 void CommonSenses::begin_tick() {
@@ -49,10 +82,12 @@ void CommonSenses::begin_tick() {
 }
 
 void CommonSenses::take(const Emissions& emissions, std::uint64_t creature) {
-    for (const Sound& sound : emissions.sounds)
+    for (Sound sound : emissions.sounds) {
+        sound.place = torus_.shortest(sound.place);
         sounds_.add(sound, static_cast<std::uint32_t>(creature));
+    }
     for (const Scent& scent : emissions.scents)
-        scent_.add(scent.place, scent.amount);
+        scent_.add(in_fields(scent.place), scent.amount);
 }
 
 void CommonSenses::end_tick(std::uint64_t tick, const Pellets& plants, const Pellets& flesh) {

@@ -22,7 +22,7 @@ public:
 
     const Environment& environment() const { return environment_; }
     Vec3 up() const { return up_; }
-    Light light(const Vec3& point) const { return light_.at(point); }
+    Light light(const Vec3& point) const;
     double sound(const Vec3& point, int band, std::uint64_t creature) const;
     double scent(const Vec3& point) const { return concentration(scent_, point); }
     double plant_smell(const Vec3& point) const { return concentration(plants_, point); }
@@ -46,10 +46,14 @@ public:
 
 private:
     double concentration(const ScentField& field, const Vec3& point) const {
-        return environment_.scentless ? 0.0 : field.at(point);
+        return environment_.scentless ? 0.0 : field.at(in_fields(point));
     }
+    Vec3 in_fields(const Vec3& point) const;
+    void give_off(const Pellets& pellets, ScentField& field) const;
 
     Environment environment_;
+    Torus torus_;
+    Vec3 stretch_;
     Vec3 up_ = Vec3::Zero();
     LightSource light_;
     LoudnessSum sounds_;

@@ -7,6 +7,7 @@ namespace cambrian {
 namespace {
 
 constexpr double kHalfThickness = 0.1;  // m; a mouth reaches no food behind a wall
+constexpr double kFarthest = 4.0;       // m; no body gets farther in a tick
 
 Rectangle rectangle_of(const FixedBox& box) {
     return {box.center, box.axis, box.half_length, box.half_width};
@@ -33,14 +34,37 @@ std::vector<Rectangle> DrawnWalls::rectangles() const {
     return all;
 }
 
+// Calls visit(index, shift) for each wall's images that may meet these bounds.
+template <class Visit>
+void DrawnWalls::visit(const Bounds& at, Visit visit) const {
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+        torus_.visit_images({boxes_[i].low, boxes_[i].high}, at,
+                            [&](const Vec3& shift) { visit(i, shift); });
+    }
+}
+
+std::vector<FixedBox> DrawnWalls::boxes_around(const Bounds& bounds) const {
+    const Vec3 margin(kFarthest, kFarthest, 0.0);
+    std::vector<FixedBox> found;
+    visit({bounds.low - margin, bounds.high + margin}, [&](std::size_t index, const Vec3& shift) {
+        if (found.size() == static_cast<std::size_t>(kMostFixedBoxes)) return;
+        FixedBox& box = found.emplace_back(boxes_[index]);
+        box.center += shift;
+        box.low += shift;
+        box.high += shift;
+    });
+    return found;
+}
+
 std::optional<std::size_t> DrawnWalls::nearest(const Vec3& point, double distance) const {
     std::optional<std::size_t> found;
-    for (std::size_t i = 0; i < boxes_.size(); ++i) {
-        const double there = distance_to(rectangle_of(boxes_[i]), point);
-        if (there > distance || (found && there == distance)) continue;
-        found = i;
+    const Vec3 margin(distance, distance, 0.0);
+    visit({point - margin, point + margin}, [&](std::size_t index, const Vec3& shift) {
+        const double there = distance_to(moved(rectangle_of(boxes_[index]), shift), point);
+        if (there > distance || (found && there == distance)) return;
+        found = index;
         distance = there;
-    }
+    });
     return found;
 }
 
@@ -50,11 +74,13 @@ bool DrawnWalls::meet(const Bounds& bounds) const {
 }
 
 bool DrawnWalls::meet(std::span<const Rectangle> parts) const {
-    return std::any_of(boxes_.begin(), boxes_.end(), [&](const FixedBox& box) {
-        const Rectangle wall = rectangle_of(box);
-        return std::any_of(parts.begin(), parts.end(),
-                           [&](const Rectangle& part) { return overlap(wall, part); });
-    });
+    bool met = false;
+    for (const Rectangle& part : parts) {
+        visit(bounds_of(part), [&](std::size_t index, const Vec3& shift) {
+            met = met || overlap(moved(rectangle_of(boxes_[index]), shift), part);
+        });
+    }
+    return met;
 }
 
 bool DrawnWalls::separate(const Vec3& from, const Vec3& to) const {

@@ -3,6 +3,7 @@
 // The walls within a preserve, which people draw (preserve/README.md 10).
 
 #include "evolution/settings/wall_lines.h"
+#include "math/torus.h"
 #include "preserve/world/rectangle.h"
 #include "world/fixed_box.h"
 
@@ -14,12 +15,17 @@ namespace cambrian {
 
 class DrawnWalls {
 public:
-    // At most kMostFixedBoxes walls that passed check_wall().
-    explicit DrawnWalls(std::vector<WallLine> lines) { replace(std::move(lines)); }
+    // At most kMostFixedBoxes walls that passed check_wall(). Each has images all over the torus.
+    explicit DrawnWalls(std::vector<WallLine> lines, const Torus& torus = {}) : torus_(torus) {
+        replace(std::move(lines));
+    }
 
     const std::vector<WallLine>& lines() const { return lines_; }
     // Valid until the walls change.
     std::span<const FixedBox> boxes() const { return boxes_; }
+    // Returns the images that a body within these bounds can reach in a tick, at most
+    // kMostFixedBoxes.
+    std::vector<FixedBox> boxes_around(const Bounds& bounds) const;
     std::vector<Rectangle> rectangles() const;
 
     void replace(std::vector<WallLine> lines);
@@ -33,6 +39,10 @@ public:
     bool separate(const Vec3& from, const Vec3& to) const;
 
 private:
+    template <class Visit>
+    void visit(const Bounds& at, Visit visit) const;
+
+    Torus torus_;
     std::vector<WallLine> lines_;
     std::vector<FixedBox> boxes_;
 };

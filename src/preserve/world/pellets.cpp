@@ -47,26 +47,29 @@ void Pellets::add(const Vec3& place, Energy energy) {
     energy_ += energy;
 }
 
-// Calls visit(index) for each pellet in the cells that the bounds touch.
+// Calls visit(index, place) for each pellet in the cells that the bounds touch, and for each image
+// of it.
 template <class Visit>
 void Pellets::visit(const Bounds& bounds, Visit visit) {
-    for (int r = row(bounds.low.y()); r <= row(bounds.high.y()); ++r) {
-        for (int c = column(bounds.low.x()); c <= column(bounds.high.x()); ++c) {
-            const auto cell = static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) +
-                              static_cast<std::size_t>(c);
-            for (const std::uint32_t index : cells_[cell])
-                visit(index);
+    area_.torus().visit_images(area_.bounds(), bounds, [&](const Vec3& shift) {
+        const Bounds there = moved(bounds, -shift);
+        for (int r = row(there.low.y()); r <= row(there.high.y()); ++r) {
+            for (int c = column(there.low.x()); c <= column(there.high.x()); ++c) {
+                const auto cell = static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) +
+                                  static_cast<std::size_t>(c);
+                for (const std::uint32_t index : cells_[cell])
+                    visit(index, pellets_[index].place() + shift);
+            }
         }
-    }
+    });
 }
 
 void Pellets::add_near(const Vec3& place, Energy energy, double distance) {
     const Vec3 inside = area_.nearest(place);
     const Vec3 margin(distance, distance, 0.0);
     auto nearest = static_cast<std::uint32_t>(pellets_.size());
-    visit({inside - margin, inside + margin}, [&](std::uint32_t index) {
-        if ((pellets_[index].place() - inside).norm() <= distance)
-            nearest = std::min(nearest, index);
+    visit({inside - margin, inside + margin}, [&](std::uint32_t index, const Vec3& there) {
+        if ((there - inside).norm() <= distance) nearest = std::min(nearest, index);
     });
     if (nearest == pellets_.size()) {
         add(inside, energy);
@@ -94,10 +97,11 @@ std::span<const Pellet> Pellets::take(const Rectangle& rectangle, double distanc
     found_.clear();
     const Vec3 margin(distance, distance, 0.0);
     const Bounds bounds = bounds_of(rectangle);
-    visit({bounds.low - margin, bounds.high + margin}, [&](std::uint32_t index) {
-        if (distance_to(rectangle, pellets_[index].place()) <= distance) found_.push_back(index);
+    visit({bounds.low - margin, bounds.high + margin}, [&](std::uint32_t index, const Vec3& there) {
+        if (distance_to(rectangle, there) <= distance) found_.push_back(index);
     });
     std::sort(found_.begin(), found_.end());
+    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
     for (const std::uint32_t index : found_)
         taken_.push_back(pellets_[index]);
     for (auto index = found_.rbegin(); index != found_.rend(); ++index)

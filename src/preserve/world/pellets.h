@@ -24,12 +24,13 @@ class Pellets {
 public:
     explicit Pellets(const WorldArea& area);
 
-    // Adds a pellet, unless it has no energy. Its place is moved between the walls.
+    // Adds a pellet, unless it has no energy. Its place is moved between the walls or, where edges
+    // meet, to its image in the area.
     void add(const Vec3& place, Energy energy);
     // Adds energy to a pellet within a distance (m), or as a new one.
     void add_near(const Vec3& place, Energy energy, double distance);
-    // Removes the pellets within a distance (m) of a rectangle and returns them, in order of their
-    // indices. The result is valid until the next call.
+    // Removes the pellets within a distance (m) of a rectangle or its images and returns them, in
+    // order of their indices. The result is valid until the next call.
     std::span<const Pellet> take(const Rectangle& rectangle, double distance);
     // Takes a share in [0, 1] of each pellet's energy, at least one unit. A pellet that has less
     // than 1e-6 J left is removed with its rest. Returns the energy taken.

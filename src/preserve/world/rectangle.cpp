@@ -28,6 +28,12 @@ Bounds bounds_of(const Rectangle& rectangle) {
     return bounds;
 }
 
+Rectangle moved(const Rectangle& rectangle, const Vec3& shift) {
+    Rectangle there = rectangle;
+    there.center += shift;
+    return there;
+}
+
 bool overlap(const Rectangle& a, const Rectangle& b) {
     const Vec3 apart = b.center - a.center;
     for (const Vec3& direction : {a.axis, a.across(), b.axis, b.across()}) {
@@ -41,6 +47,12 @@ bool overlap(const Rectangle& a, const Rectangle& b) {
 bool overlap(const Bounds& a, const Bounds& b) {
     return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() && a.low.y() <= b.high.y() &&
            b.low.y() <= a.high.y();
+}
+
+bool overlap(const Bounds& a, const Bounds& b, const Torus& torus) {
+    bool met = false;
+    torus.visit_images(a, b, [&](const Vec3& shift) { met = met || overlap(moved(a, shift), b); });
+    return met;
 }
 
 double distance_to(const Rectangle& rectangle, const Vec3& point) {

@@ -3,6 +3,7 @@
 // A part as a rectangle in the world.
 
 #include "math/bounds.h"
+#include "math/torus.h"
 #include "math/types.h"
 #include "world/body_view.h"
 
@@ -24,14 +25,16 @@ struct Rectangle {
 Rectangle rectangle_of(const BodyView& body, std::size_t index, const Vec3& half_extents);
 std::array<Vec3, 4> corners_of(const Rectangle& rectangle);
 Bounds bounds_of(const Rectangle& rectangle);
+Rectangle moved(const Rectangle& rectangle, const Vec3& shift);
 
 // Returns half of the length of a rectangle's projection on a unit vector.
 double half_projection(const Rectangle& rectangle, const Vec3& direction);
 
 // Returns whether two rectangles have a point in common (separating axis theorem).
 bool overlap(const Rectangle& a, const Rectangle& b);
-// Returns whether two boxes have a point in common.
+// Returns whether two boxes have a point in common, the second function: or images of them.
 bool overlap(const Bounds& a, const Bounds& b);
+bool overlap(const Bounds& a, const Bounds& b, const Torus& torus);
 
 // Returns the distance of a point from a rectangle in m; 0 inside.
 double distance_to(const Rectangle& rectangle, const Vec3& point);

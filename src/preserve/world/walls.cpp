@@ -2,6 +2,8 @@
 
 #include "preserve/world/soft_spring.h"
 
+#include <limits>
+
 namespace cambrian {
 namespace {
 
@@ -17,14 +19,17 @@ void note(Excess& worst, std::size_t part, const Vec3& corner, const Vec3& inwar
 }
 
 Excess worst_excess(std::span<const Rectangle> parts, const WorldArea& area) {
+    constexpr double kNowhere = std::numeric_limits<double>::infinity();
+    const double left = area.has_sides() ? area.left() : -kNowhere;
+    const double top = area.has_top() ? area.top() : kNowhere;
+    const double bottom = area.has_bottom() ? area.bottom() : -kNowhere;
     Excess worst;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         for (const Vec3& corner : corners_of(parts[i])) {
-            note(worst, i, corner, Vec3::UnitX(), area.left() - corner.x());
-            note(worst, i, corner, -Vec3::UnitX(), corner.x() + area.left());
-            note(worst, i, corner, -Vec3::UnitY(), corner.y() - area.top());
-            if (area.has_ground) continue;
-            note(worst, i, corner, Vec3::UnitY(), area.bottom() - corner.y());
+            note(worst, i, corner, Vec3::UnitX(), left - corner.x());
+            note(worst, i, corner, -Vec3::UnitX(), corner.x() + left);
+            note(worst, i, corner, -Vec3::UnitY(), corner.y() - top);
+            note(worst, i, corner, Vec3::UnitY(), bottom - corner.y());
         }
     }
     return worst;
