@@ -73,6 +73,31 @@ class StudioPreserve(StudioTest):
         self.assertGreaterEqual(opened["tick"], paused["tick"])
         self.quit()
 
+    def test_a_preserve_whose_edges_meet_is_begun_with_keys_and_looked_at(self):
+        display = self.open_display()
+        self.start(display)
+        display.tool("key", "ctrl+n")
+        _, after = self.wait_for("place", name="Edges that meet")
+        time.sleep(0.3)
+        self.press("Right")
+        time.sleep(0.3)
+        self.assert_painted(display.picture("preserve-edges-card-1280x800.png"))
+        self.press("Return")
+        _, after = self.wait_for("preserve", on=True)
+        self.press("Tab")
+        _, after = self.wait_for("picked", after=after, number=1)
+        self.press("f")
+        _, after = self.wait_for("follow", after=after, on=True)
+        _, after = self.state(after, picked=1)
+        time.sleep(1.0)
+        self.assert_painted(display.picture("preserve-edges-1280x800.png"))
+        self.quit()
+        kept = self.folder / "state" / "preserve.cambrian"
+        with sqlite3.connect(kept) as file:
+            settings, = file.execute("SELECT value FROM facts WHERE name = 'settings'").fetchone()
+        self.assertIn('edges = "wrap"', settings)
+        self.run_well("verify", kept)
+
     def test_a_wall_is_drawn_and_erased_with_the_mouse_and_with_keys(self):
         display = self.open_display()
         after = self.begin(display)

@@ -57,5 +57,45 @@ TEST_CASE("the ring of a creature is the longer and the greener the fuller its s
     CHECK(ring_of(resident(30.0, 100.0)).empty());
 }
 
+// Returns a world with one creature, a box of 2 m at the right edge.
+PreservePicture edge_world(bool wraps) {
+    PreservePicture picture;
+    picture.area = {40.0, 25.0, false, wraps};
+    picture.residents = {resident(19.8, 10.0)};
+    auto phenotype = std::make_shared<Phenotype>();
+    phenotype->parts.resize(1);
+    picture.residents[0].phenotype = phenotype;
+    picture.residents[0].parts = {{Vec3(19.8, 0.0, 0.0), Vec3::UnitX(), 1.0, 0.5}};
+    return picture;
+}
+
+TEST_CASE("where edges meet, creatures near them are drawn and picked on both sides",
+          "[pictures][preserve]") {
+    const Palette palette = palette_of(ThemeKind::kDark);
+    const Viewport viewport{800.0, 500.0};
+    Camera camera;
+    camera.fit({{-20.0, -12.5}, {20.0, 12.5}}, 1.0, viewport);
+    const auto bodies_at = [&](const PreservePicture& picture, double x) {
+        SceneFrame frame;
+        add_world(frame, palette, camera, viewport, picture, {});
+        return std::count_if(frame.shapes.begin(), frame.shapes.end(), [&](const Shape& shape) {
+            return (shape.center - Vec2(x, 0.0)).norm() < 1e-9 &&
+                   shape.half_extents == Vec2(1.0, 0.5);
+        });
+    };
+    const PreservePicture wrapped = edge_world(true);
+    const PreservePicture walled = edge_world(false);
+    for (const PreservePicture* picture : {&wrapped, &walled})
+        CHECK(bodies_at(*picture, 19.8) == 1);
+    CHECK(bodies_at(wrapped, -20.2) == 1);
+    CHECK(bodies_at(walled, -20.2) == 0);
+    for (const Vec2& point : {Vec2(-19.5, 0.0), Vec2(59.9, 25.0), Vec2(19.5, 0.2)})
+        CHECK(resident_at(wrapped, point, 0.1) == 1);
+    CHECK(resident_at(walled, {-19.5, 0.0}, 0.1) == 0);
+    CHECK(resident_at(wrapped, {0.0, 0.0}, 0.1) == 0);
+    CHECK(image_near(wrapped.area, {19.0, 0.0}, {-19.0, 1.0}) == Vec2(-21.0, 0.0));
+    CHECK(image_near(walled.area, {19.0, 0.0}, {-19.0, 1.0}) == Vec2(19.0, 0.0));
+}
+
 }  // namespace
 }  // namespace cambrian

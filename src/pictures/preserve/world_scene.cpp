@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace cambrian {
 namespace {
@@ -38,14 +40,66 @@ void add_walls(SceneFrame& frame, const Palette& palette, const Camera& camera,
             frame.add_box(0.5 * (low + high), 0.5 * (high - low), color);
     };
     constexpr double kFar = 1e6;
-    fill(-kFar, -kFar, -right, kFar, palette.window);
-    fill(right, -kFar, kFar, kFar, palette.window);
-    fill(-kFar, top, kFar, kFar, palette.window);
-    fill(-kFar, -kFar, kFar, bottom, area.has_ground ? palette.ground : palette.window);
-    fill(-right - wall, bottom - wall, -right, top + wall, palette.ground_line);
-    fill(right, bottom - wall, right + wall, top + wall, palette.ground_line);
-    fill(-right, top, right, top + wall, palette.ground_line);
-    fill(-right, bottom - wall, right, bottom, palette.ground_line);
+    const double end = area.has_sides() ? right : kFar;  // of the top and the bottom
+    const bool has_floor = area.has_ground || area.has_bottom();
+    if (area.has_sides()) {
+        fill(-kFar, -kFar, -right, kFar, palette.window);
+        fill(right, -kFar, kFar, kFar, palette.window);
+    }
+    if (area.has_top()) fill(-kFar, top, kFar, kFar, palette.window);
+    if (has_floor)
+        fill(-kFar, -kFar, kFar, bottom, area.has_ground ? palette.ground : palette.window);
+    if (area.has_sides()) {
+        fill(-right - wall, bottom - wall, -right, top + wall, palette.ground_line);
+        fill(right, bottom - wall, right + wall, top + wall, palette.ground_line);
+    }
+    if (area.has_top()) fill(-end, top, end, top + wall, palette.ground_line);
+    if (has_floor) fill(-end, bottom - wall, end, bottom, palette.ground_line);
+}
+
+// Marks where edges meet by thin lines: the left and the lower edge, of which the others are
+// images.
+void add_seams(SceneFrame& frame, const Palette& palette, const Camera& camera,
+               const WorldArea& area) {
+    const Vec2 corner(area.left(), area.bottom());
+    const auto line = [&](const Vec2& to) {
+        frame.add_line(corner, to, camera.pixel(), palette.ground_line);
+    };
+    if (!area.has_sides()) line({area.left(), area.top()});
+    if (!area.has_top()) line({-area.left(), area.bottom()});
+}
+
+// Returns how far the images of the world that are drawn are from it. The first one is its own.
+std::vector<Vec2> image_shifts(const WorldArea& area) {
+    const Torus torus = area.torus();
+    std::vector<Vec2> shifts = {Vec2::Zero()};
+    for (std::int32_t y = -1; y <= 1; ++y) {
+        for (std::int32_t x = -1; x <= 1; ++x) {
+            const Vec3 shift = torus.shift_of({x, y});
+            const bool is_image = (x == 0 || shift.x() != 0.0) && (y == 0 || shift.y() != 0.0);
+            if (is_image && (x != 0 || y != 0)) shifts.push_back(shift.head<2>());
+        }
+    }
+    return shifts;
+}
+
+bool in_view(const Vec2& center, double reach, const WorldWindow& window) {
+    return center.x() + reach > window.low.x() && center.x() - reach < window.high.x() &&
+           center.y() + reach > window.low.y() && center.y() - reach < window.high.y();
+}
+
+// Adds the shapes from this one on again in each image of the world, where they are in view.
+void repeat_from(std::size_t first, SceneFrame& frame, const WorldWindow& window,
+                 std::span<const Vec2> shifts) {
+    const std::size_t end = frame.shapes.size();
+    for (const Vec2& shift : shifts.subspan(1)) {
+        for (std::size_t i = first; i < end; ++i) {
+            Shape shape = frame.shapes[i];
+            shape.center += shift;
+            const double reach = shape.half_extents.norm() + shape.blur;
+            if (in_view(shape.center, reach, window)) frame.shapes.push_back(shape);
+        }
+    }
 }
 
 double angle_of(const Rectangle& part) {
@@ -132,12 +186,13 @@ void add_food(SceneFrame& frame, const Camera& camera, const PreservePicture& pi
     }
 }
 
-// Returns whether a creature may be in the view.
-bool in_view(const ResidentPicture& resident, const WorldWindow& window) {
+// Returns whether a creature or one of its images may be in the view.
+bool in_view(const ResidentPicture& resident, const WorldWindow& window,
+             std::span<const Vec2> shifts) {
     const double reach = reach_of(resident);
-    const Vec2 center = resident.center.head<2>();
-    return center.x() + reach > window.low.x() && center.x() - reach < window.high.x() &&
-           center.y() + reach > window.low.y() && center.y() - reach < window.high.y();
+    return std::any_of(shifts.begin(), shifts.end(), [&](const Vec2& shift) {
+        return in_view(resident.center.head<2>() + shift, reach, window);
+    });
 }
 
 // Draws the store as a part of a ring, clockwise from the top.
@@ -166,13 +221,18 @@ void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
                const Viewport& viewport, const PreservePicture& picture, const WorldMarks& marks) {
     frame.background = palette.sky;
     add_grid(frame, palette, camera, viewport);
+    const WorldWindow window = camera.window(viewport);
+    const std::vector<Vec2> shifts = image_shifts(picture.area);
+    const std::size_t lowest = frame.shapes.size();
     add_patches(frame, picture);
+    repeat_from(lowest, frame, window, shifts);
     add_walls(frame, palette, camera, viewport, picture.area);
+    const std::size_t first = frame.shapes.size();
+    add_seams(frame, palette, camera, picture.area);
     add_drawn_walls(frame, palette, picture);
     add_food(frame, camera, picture);
-    const WorldWindow window = camera.window(viewport);
     for (const ResidentPicture& each : picture.residents) {
-        if (!in_view(each, window)) continue;
+        if (!in_view(each, window, shifts)) continue;
         const double hue = lineage_hue(each.life.lineage);
         if (camera.pixels_per_metre < kDetailScale) {
             add_simple_body(frame, palette, camera, each, hue);
@@ -181,6 +241,13 @@ void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
         }
         add_marks(frame, palette, camera, marks, each);
     }
+    repeat_from(first, frame, window, shifts);
+}
+
+Vec2 image_near(const WorldArea& area, const Vec2& point, const Vec2& there) {
+    if (!area.wraps) return point;
+    const Vec3 way(point.x() - there.x(), point.y() - there.y(), 0.0);
+    return there + area.torus().shortest(way).head<2>();
 }
 
 double lineage_hue(std::uint64_t lineage) {
@@ -198,10 +265,11 @@ double reach_of(const ResidentPicture& resident) {
 }
 
 std::uint64_t resident_at(const PreservePicture& picture, const Vec2& point, double reach) {
-    const Vec3 there(point.x(), point.y(), 0.0);
     std::uint64_t nearest = 0;
     double least = reach;
     for (const ResidentPicture& each : picture.residents) {
+        const Vec2 image = image_near(picture.area, point, each.center.head<2>());
+        const Vec3 there(image.x(), image.y(), 0.0);
         double distance = (each.center - there).norm();
         for (const Rectangle& part : each.parts) {
             if (distance_to(part, there) == 0.0) distance = 0.0;

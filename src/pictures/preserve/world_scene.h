@@ -1,6 +1,7 @@
 #pragma once
 
 // Draws a preserve: its water, walls and food, and all creatures in the hues of their lineages.
+// Where edges meet, it is drawn again beyond them.
 
 #include "pictures/canvas/palette.h"
 #include "preserve/engine/preserve_picture.h"
@@ -24,11 +25,14 @@ struct WorldMarks {
 void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
                const Viewport& viewport, const PreservePicture& picture, const WorldMarks& marks);
 
+// Returns the image of a point of the world that is nearest to another point (m).
+Vec2 image_near(const WorldArea& area, const Vec2& point, const Vec2& there);
+
 // Returns the hue of a lineage in turns; numbers that follow each other have hues far apart.
 double lineage_hue(std::uint64_t lineage);
 
 // Returns the number of the creature at a point of the world, or within `reach` (m) of one's centre
-// of mass; 0 if there is none.
+// of mass; 0 if there is none. Where edges meet, images count too.
 std::uint64_t resident_at(const PreservePicture& picture, const Vec2& point, double reach);
 
 // Returns a circle's radius around a creature that contains its parts, in m.

@@ -132,7 +132,7 @@ const std::array kPanels = {
     PanelKind{"world line",    {kUnderAll, 14, 4},                        preserve_open,  make<WorldLine>},
     PanelKind{"machines line", {kUnderAll, 14, 4},                        machines_told,  make<MachinesLine>},
     PanelKind{"files",         {kCard, 20, 18, {}, 10, centered<620, 560>}, files_open,   make<FilePanel>},
-    PanelKind{"new preserve",  {kCard, 20, 18, {}, 10, centered<480, 560>}, preserve_card_open, make<NewPreserveCard>},
+    PanelKind{"new preserve",  {kCard, 20, 18, {}, 10, centered<480, 600>}, preserve_card_open, make<NewPreserveCard>},
     PanelKind{"help",          {kCard, 20, 18, {}, 10, centered<860, 640>}, help_open,    make<HelpPanel>},
     PanelKind{"samples",       {kCard, 20, 18, {}, 10, centered<780, 560>}, samples_open, make<SamplesPanel>},
     PanelKind{"machines",      {kCard, 20, 18, {}, 10, centered<860, 600>}, machines_open, make<MachinesPanel>},

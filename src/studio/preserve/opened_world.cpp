@@ -69,6 +69,7 @@ Result<OpenedWorld> begin_world(const WorldPlan& plan, const EvolutionKinds& kin
     Result<ExperimentSettings> read = load_settings(plan.settings, kinds, SettingsUse::kPreserve);
     if (!read) return read.error();
     read->seed = plan.seed;
+    if (plan.wraps) read->preserve.edges = "wrap";
     Result<std::vector<GenomePtr>> founders = founders_of(plan, *read, kinds);
     if (!founders) return founders.error();
     read->preserve.founders = std::max(read->preserve.founders, static_cast<int>(founders->size()));

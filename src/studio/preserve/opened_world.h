@@ -39,6 +39,7 @@ inline bool is_open_choice(FounderChoice choice) {
 
 struct WorldPlan {
     std::filesystem::path settings;  // file of the laws
+    bool wraps = false;              // edges meet, whatever the file says
     FounderChoice choice = FounderChoice::kRandom;
     std::vector<GenomePtr> founders;  // unless the choice is open
     std::filesystem::path samples;    // folder

@@ -18,6 +18,7 @@ namespace cambrian {
 struct TogglePreserveCard {};
 struct BeginPreserve {
     std::optional<FounderChoice> founders;  // none: opens the last one that was begun here
+    bool wraps = false;                     // edges meet
 };
 // Returns to the experiment. The preserve remains in its file.
 struct ClosePreserve {};

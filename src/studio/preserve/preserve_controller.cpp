@@ -118,7 +118,7 @@ struct PreserveController::WorldTools : WorldLists {
         WallTool& wall = self.tools_.wall;
         if (!self.on()) return;
         const Vec3 aim(self.tools_.aim.x(), self.tools_.aim.y(), 0.0);
-        const Vec2 here = self.picture_->area.nearest(aim).head<2>();
+        const Vec2 here = self.picture_->area.between_walls(aim).head<2>();
         if (!wall.from) {
             wall = {true, here};
             return;
@@ -147,7 +147,7 @@ struct PreserveController::Handler : WorldTools {
     }
     void operator()(const BeginPreserve& request) const {
         self.tools_.card_open = false;
-        if (request.founders) return self.begin(*request.founders);
+        if (request.founders) return self.begin(*request.founders, request.wraps);
         self.close();
         self.open_later([file = self.own_file_,
                          &kinds = self.services_.kinds] { return open_world(file, kinds); },
@@ -272,10 +272,11 @@ void PreserveController::send(PreserveCommand command) {
     if (open_) open_->send(std::move(command));
 }
 
-void PreserveController::begin(FounderChoice choice) {
+void PreserveController::begin(FounderChoice choice, bool wraps) {
     WorldPlan plan;
     plan.settings =
         assets_ / "settings" / (live_on_ground(choice, subjects_) ? "meadow.toml" : "pond.toml");
+    plan.wraps = wraps;
     plan.choice = choice;
     plan.founders = genomes_of_choice(choice, subjects_);
     plan.samples = assets_ / "creatures";

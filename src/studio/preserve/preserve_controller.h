@@ -74,7 +74,7 @@ private:
         unsigned fits_asked = 0;
     };
     void send(PreserveCommand command);
-    void begin(FounderChoice choice);
+    void begin(FounderChoice choice, bool wraps);
     void close();
     void leave();
     void branch(std::optional<std::uint64_t> tick, const std::filesystem::path& to);

@@ -3,6 +3,7 @@
 #include "studio/panels/cards/file_panel.h"
 #include "studio/panels/generations/population_panel.h"
 #include "studio/panels/generations/timeline_panel.h"
+#include "studio/panels/preserve/new_preserve_card.h"
 #include "studio/panels/viewport/transport_bar.h"
 #include "studio/panels/viewport/viewport_panel.h"
 #include "support/null_imgui.h"
@@ -246,6 +247,19 @@ TEST_CASE("a creature can be saved as a card and back, by a button or by its nam
     studio.files().opened = 2;
     studio.files().suggested_name = "posted.png";
     CHECK(saved_as() == "/creatures/posted.png");
+}
+
+TEST_CASE("a preserve begins with the edges that were chosen", "[studio][preserve]") {
+    NullImGui gui(700.0F, 700.0F);
+    NewPreserveCard card;
+    const test::StudioFixture studio;
+    CHECK_FALSE(test::asked<BeginPreserve>(click(gui, card, studio, "Begin")).wraps);
+    CHECK(click(gui, card, studio, "Edges that meet").all().empty());
+    const auto begun = test::asked<BeginPreserve>(click(gui, card, studio, "Begin"));
+    CHECK(begun.wraps);
+    CHECK(begun.founders == FounderChoice::kSwimmers);
+    test::press_key(gui, card, studio, ImGuiKey_LeftArrow);
+    CHECK_FALSE(test::asked<BeginPreserve>(click(gui, card, studio, "Begin")).wraps);
 }
 
 }  // namespace

@@ -60,6 +60,7 @@ void NewPreserveCard::draw(const FrameContext& frame, Requests& out) {
         if (draw_choice(i, is_possible(kChoices[i].founders, card))) chosen_ = i;
     }
     ImGui::Dummy({0, px(6)});
+    draw_edges(kChoices[chosen_].founders.has_value());
     const bool possible = is_possible(kChoices[chosen_].founders, card);
     const bool entered = possible && panel_key(ImGuiKey_Enter);
     if (push_button("Begin", {.look = ButtonLook::kPrimary,
@@ -68,10 +69,25 @@ void NewPreserveCard::draw(const FrameContext& frame, Requests& out) {
                               .enabled = possible,
                               .tooltip = "Enter"}) ||
         entered)
-        out.ask(BeginPreserve{kChoices[chosen_].founders});
+        out.ask(BeginPreserve{kChoices[chosen_].founders, wraps_});
+}
+
+// A preserve that goes on keeps its edges.
+void NewPreserveCard::draw_edges(bool possible) {
+    ImGui::BeginDisabled(!possible);
+    const int pressed =
+        segmented("edges", {"Soft walls around it", "Edges that meet"}, wraps_ ? 1 : 0,
+                  {"Creatures are pushed back into the world. Left arrow",
+                   "What leaves the world on one side enters it on the other; on a "
+                   "meadow, to the left and the right. Right arrow"});
+    ImGui::EndDisabled();
+    if (pressed >= 0) wraps_ = pressed == 1;
+    ImGui::Dummy({0, px(6)});
 }
 
 void NewPreserveCard::move_by_keys(const PreserveCardView& card) {
+    if (panel_key(ImGuiKey_LeftArrow)) wraps_ = false;
+    if (panel_key(ImGuiKey_RightArrow)) wraps_ = true;
     const std::size_t count = kChoices.size();
     std::size_t step = 0;
     if (panel_key(ImGuiKey_DownArrow)) step = 1;

@@ -12,8 +12,10 @@ public:
 private:
     void move_by_keys(const PreserveCardView& card);
     bool draw_choice(std::size_t index, bool possible);
+    void draw_edges(bool possible);
 
     std::size_t chosen_ = 4;  // index of the choice
+    bool wraps_ = false;      // edges meet
 };
 
 }  // namespace cambrian

@@ -53,8 +53,9 @@ void WorldPanel::draw(const FrameContext& frame, Requests& out) {
                preserve.pins.creatures, preserve.energy});
     const ResidentPicture* held = held_ == 0 ? nullptr : preserve.picture.find(held_);
     if (held != nullptr && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
-        canvas_.frame.add_line(held->center.head<2>(), canvas_.mouse_in_world(),
-                               2.0 * canvas_.camera.pixel(), colors().accent);
+        const Vec2 mouse = canvas_.mouse_in_world();
+        const Vec2 from = image_near(preserve.picture.area, held->center.head<2>(), mouse);
+        canvas_.frame.add_line(from, mouse, 2.0 * canvas_.camera.pixel(), colors().accent);
     }
     draw_wall(preserve.wall);
     canvas_.add_to(*ImGui::GetWindowDrawList());
@@ -73,8 +74,8 @@ ImVec2 WorldPanel::on_screen(const Vec2& point) const {
 void WorldPanel::place_camera(const FrameContext& frame) {
     const PreserveView& preserve = *frame.preserve;
     Camera& camera = canvas_.camera;
+    const WorldArea& area = preserve.picture.area;
     if (std::exchange(fits_seen_, preserve.fits_asked) != preserve.fits_asked) {
-        const WorldArea& area = preserve.picture.area;
         const Vec2 corner(0.5 * area.width, 0.5 * area.height);
         const Vec2 middle = area.middle().head<2>();
         const auto words = static_cast<double>(px(kHeadHeight));
@@ -82,9 +83,12 @@ void WorldPanel::place_camera(const FrameContext& frame) {
         camera.fit({middle - corner, middle + corner}, kWorldShare,
                    {size.width, std::max(1.0, size.height - 2.0 * words)});
     }
-    if (!preserve.follow || preserve.picked == nullptr) return;
-    camera.approach(preserve.picked->center.head<2>(),
-                    static_cast<double>(ImGui::GetIO().DeltaTime), kChaseLag);
+    if (preserve.follow && preserve.picked != nullptr) {
+        const Vec2 center = preserve.picked->center.head<2>();
+        camera.approach(image_near(area, center, camera.center),
+                        static_cast<double>(ImGui::GetIO().DeltaTime), kChaseLag);
+    }
+    camera.center = image_near(area, camera.center, Vec2::Zero());
 }
 
 void WorldPanel::pan(const ImVec2& pixels, const FrameContext& frame, Requests& out) {
@@ -181,7 +185,8 @@ void WorldPanel::draw_labels(const FrameContext& frame) {
     const WithFont font(ui().fonts.small);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto label = [&](const ResidentPicture& resident, const Color& color) {
-        const ImVec2 center = on_screen(resident.center.head<2>());
+        const ImVec2 center = on_screen(
+            image_near(preserve.picture.area, resident.center.head<2>(), canvas_.camera.center));
         const auto reach =
             static_cast<float>(reach_of(resident) * canvas_.camera.pixels_per_metre) + px(16);
         const std::string number = fmt::format("{}", resident.life.number);
