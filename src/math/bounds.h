@@ -17,6 +17,12 @@ struct Bounds {
     }
 };
 
+// Returns whether two boxes have a point in common.
+inline bool overlap(const Bounds& a, const Bounds& b) {
+    return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() && a.low.y() <= b.high.y() &&
+           b.low.y() <= a.high.y();
+}
+
 inline Bounds moved(const Bounds& bounds, const Vec3& shift) {
     return {bounds.low + shift, bounds.high + shift};
 }

@@ -72,7 +72,7 @@ Result<std::uint64_t> Preserve::carry_out(const Intervention& asked) {
     if (asked.what == intervention::kFeed) return serve(place);
     if (asked.what == intervention::kAdd) return admit(asked.genome, place);
     if (asked.what == intervention::kWall) {
-        const Vec3 from = torus_.shortest(place);
+        const Vec3 from = area_.torus().shortest(place);
         return build_wall({from, Vec3(asked.to_x, asked.to_y, 0.0) - (place - from)});
     }
     if (asked.what == intervention::kErase) return erase_wall(place);
@@ -126,7 +126,7 @@ std::optional<Vec3> Preserve::room_near(const Vec3& asked, const Resident& resid
         const Bounds bounds = moved(resident.bounds(), shift);
         const bool is_taken =
             solid_ && std::any_of(room.taken.begin(), room.taken.end(), [&](const Bounds& other) {
-                return overlap(other, bounds, torus_);
+                return overlap(other, bounds, area_.torus());
             });
         if (!is_taken && !room.walls.meet(bounds) && is_free_of_others(bounds, resident))
             return place;
@@ -164,7 +164,7 @@ Result<std::uint64_t> Preserve::build_wall(const WallLine& wall) {
         return Error{fmt::format("This wall cannot be built: {}.", sound.error().message)};
     std::vector<WallLine> lines = walls_.lines();
     lines.push_back(wall);
-    if (Status made = make_way(DrawnWalls(lines, torus_)); !made) return made.error();
+    if (Status made = make_way(DrawnWalls(lines, area_.torus())); !made) return made.error();
     use_walls(std::move(lines));
     return walls_.lines().size();
 }

@@ -60,18 +60,17 @@ Preserve::Preserve(SettingsPtr settings, const EvolutionKinds& kinds,
       kinds_(kinds),
       founders_(std::move(founders)),
       area_(area_of(settings_->preserve, settings_->world.environment)),
-      torus_(area_.torus()),
       constant_(energy_of(settings_->preserve.energy_density * area_.width * area_.height)),
       senses_(area_, settings_->world.environment),
-      walls_(checked(walls_of(settings_->preserve.walls)), torus_),
+      walls_(checked(walls_of(settings_->preserve.walls)), area_.torus()),
       patches_(checked(patches_of(settings_->preserve.patches))),
       plants_(area_.up_to(settings_->preserve.plant_height)),
       flesh_(area_.up_to(0.0)),
       ambient_(constant_),
-      meetings_(torus_) {
+      meetings_(area_.torus()) {
     CAMBRIAN_ASSERT(!founders_.empty(), "a preserve has founders");
     if (is_solid(settings_->preserve))
-        solid_ = std::make_unique<SolidBodies>(kinds_.creature.scene, torus_);
+        solid_ = std::make_unique<SolidBodies>(kinds_.creature.scene, area_.torus());
 }
 
 Result<std::unique_ptr<Preserve>> Preserve::begin(SettingsPtr settings, const EvolutionKinds& kinds,
@@ -330,7 +329,7 @@ Status Preserve::restore(const PreserveState& state) {
             return unsuitable;
         before = each.life.number;
         auto grown = Resident::grow(each.life, kinds_.creature, *settings_, senses_);
-        if (!grown || !(*grown)->restore(each) || !strays_little(**grown, torus_))
+        if (!grown || !(*grown)->restore(each) || !strays_little(**grown, area_.torus()))
             return unsuitable;
         take_in(std::move(*grown));
     }
@@ -414,7 +413,7 @@ bool Preserve::is_free(const Bounds& bounds, const Resident& of) const {
 
 bool Preserve::is_free_of_others(const Bounds& bounds, const Resident& of) const {
     return !solid_ || std::none_of(residents_.begin(), residents_.end(), [&](const auto& each) {
-        return each.get() != &of && overlap(each->bounds(), bounds, torus_);
+        return each.get() != &of && overlap(each->bounds(), bounds, area_.torus());
     });
 }
 
@@ -428,7 +427,7 @@ void Preserve::bite() {
     bounds_.clear();
     for (const auto& each : residents_)
         bounds_.push_back(grown(each->bounds(), bite_reach(*each, laws_->preserve)));
-    const BiteRules rules{laws_->preserve, tick_, torus_};
+    const BiteRules rules{laws_->preserve, tick_, area_.torus()};
     Meetings::Pair before;
     for (const Meetings::Pair& pair : meetings_.find(bounds_)) {
         const bool is_other_image = pair.first == before.first && pair.second == before.second;
@@ -558,7 +557,7 @@ void Preserve::bear(Resident& parent, std::unique_ptr<Resident> child, RandomStr
         const Vec3 center = birth_place(parent, *child, {first, i});
         if (!area_.holds(center, child->radius()) || walls_.separate(parent.center(), center))
             continue;
-        const Vec3 place = torus_.shortest(center);
+        const Vec3 place = area_.torus().shortest(center);
         child->place(place, velocity);
         if (!is_free(child->bounds(), *child)) continue;
         parent.store -= child->store + child->body;

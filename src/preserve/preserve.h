@@ -103,7 +103,7 @@ private:
         const DrawnWalls& walls;
         std::span<const Bounds> taken = {};
     };
-    bool walls_have_images() const { return torus_.meets() && !walls_.lines().empty(); }
+    bool walls_have_images() const { return area_.torus().meets() && !walls_.lines().empty(); }
     void surround(Resident& resident, const Bounds& bounds) const;
     Vec3 footing(const Vec3& place, const Resident& resident) const;
     std::optional<Vec3> room_near(const Vec3& asked, const Resident& resident,
@@ -146,7 +146,6 @@ private:
     const EvolutionKinds& kinds_;
     std::vector<GenomePtr> founders_;
     WorldArea area_;
-    Torus torus_;
     Energy constant_;
     CommonSenses senses_;
     DrawnWalls walls_;

@@ -65,7 +65,7 @@ class Preserve(ProgramTest):
         self.assertEqual(one, two)
         self.assertEqual(one, seven)
 
-    def test_a_preserve_whose_edges_meet_is_resumed_verified_and_drawn(self):
+    def test_a_preserve_whose_edges_meet_is_resumed_and_verified(self):
         self.write("torus.toml", POND + 'edges = "wrap"\n')
         uncut = self.rows("torus.toml", "-f", *SWIMMERS, "--seconds", 120, "-t", 2)
         self.assertNotEqual(uncut, self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 120))

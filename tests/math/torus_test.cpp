@@ -10,11 +10,6 @@ namespace {
 
 constexpr Torus kTorus{7.0, 5.3};
 
-bool overlap(const Bounds& a, const Bounds& b) {
-    return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() && a.low.y() <= b.high.y() &&
-           b.low.y() <= a.high.y();
-}
-
 Bounds random_box(RandomStream& random, double far, double longest) {
     const Vec3 low(random.uniform(-far, far), random.uniform(-far, far), 0.0);
     return {low, low + Vec3(random.uniform(0.0, longest), random.uniform(0.0, longest), 0.0)};

@@ -264,28 +264,11 @@ TEST_CASE("a world whose edges meet goes on from its file with the same bits",
     run_to(uncut, 600);
     world.file.reset();
     repeated_from(path, world, 0);
-    const auto opened = PreserveFile::open(path, kinds());
-    REQUIRE(opened);
-    CHECK(opened->origin.settings->preserve.edges == "wrap");
-    const auto resumed =
-        Preserve::resume(opened->origin.settings, kinds(), world.founders, opened->state);
-    REQUIRE(resumed);
-    run_to(**resumed, 600);
-    CHECK(digest(**resumed) == digest(uncut));
+    CHECK(check_goes_on(path, world.founders, uncut)->preserve.edges == "wrap");
     CHECK(uncut.residents().front()->center().norm() > 12.0);
 }
 
 TEST_CASE("creatures as long as a small world live in it", "[preserve][edges]") {
-    CreatureBuilder builder(kind_catalog());
-    const auto root = builder.part(1.5, 0.1);
-    std::uint8_t last = root;
-    for (int i = 0; i < 2; ++i) {
-        const auto next = builder.part(1.5, 0.1);
-        builder.attach(last, next, 0.125);
-        builder.swing(next, 1.0, 0.25 * i, 0.8);
-        last = next;
-    }
-    const GenomePtr eel = builder.build();
     for (const char* bodies : {"ghostly", "solid"}) {
         ExperimentSettings settings = wrapped(bodies);
         settings.preserve.width = 5.0;
@@ -293,7 +276,7 @@ TEST_CASE("creatures as long as a small world live in it", "[preserve][edges]") 
         settings.preserve.founders = 2;
         settings.preserve.energy_density = 1000.0;
         settings.preserve.walls = "-2.5 2.4 2.3 2.4";
-        const auto preserve = begun(settings, {eel, eater(1.0)});
+        const auto preserve = begun(settings, {eel(3, 1.5, 0.25, 0.8), eater(1.0)});
         run_to(*preserve, 600);
         CHECK(preserve->total_energy() == preserve->founding_energy());
         CHECK(preserve->residents().size() >= 2);

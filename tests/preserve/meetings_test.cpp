@@ -7,18 +7,8 @@
 namespace cambrian {
 namespace {
 
-std::vector<Meetings::Pair> all_pairs(const std::vector<Bounds>& bounds) {
-    std::vector<Meetings::Pair> pairs;
-    for (std::uint32_t a = 0; a < bounds.size(); ++a) {
-        for (std::uint32_t b = a + 1; b < bounds.size(); ++b) {
-            if (overlap(bounds[a], bounds[b])) pairs.push_back({a, b, {}});
-        }
-    }
-    return pairs;
-}
-
-// Returns the same for all images up to some distance.
-std::vector<Meetings::Pair> all_pairs(const std::vector<Bounds>& bounds, const Torus& torus) {
+// Returns the pairs of all images up to some distance.
+std::vector<Meetings::Pair> all_pairs(const std::vector<Bounds>& bounds, const Torus& torus = {}) {
     constexpr std::int32_t kMost = 10;
     const std::int32_t across = torus.width > 0.0 ? kMost : 0;
     const std::int32_t upwards = torus.height > 0.0 ? kMost : 0;

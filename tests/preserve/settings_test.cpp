@@ -105,16 +105,7 @@ TEST_CASE("founders that cannot live there give one clear message each", "[prese
     settings = small_world();
     settings.preserve.width = 5.0;
     settings.preserve.height = 5.0;
-    CreatureBuilder builder(kind_catalog());
-    const auto root = builder.part(1.6, 0.1);
-    std::uint8_t last = root;
-    for (int i = 0; i < 5; ++i) {
-        const auto next = builder.part(1.6, 0.1);
-        builder.attach(last, next, 0.125);
-        builder.swing(next, 1.0, 0.0, 0.5);
-        last = next;
-    }
-    CHECK_THAT(founding_message(settings, builder.build()),
+    CHECK_THAT(founding_message(settings, eel(6, 1.6, 0.0, 0.5)),
                Catch::StartsWith("founder 1 is too large for the world: it needs "));
 }
 

@@ -43,6 +43,20 @@ inline GenomePtr eater(double diet, double width = 0.2) {
     return builder.build();
 }
 
+// Returns an eel of so many parts, each `length` (m) long, whose joints follow each other by a lag
+// (cycles).
+inline GenomePtr eel(int parts, double length, double lag, double amplitude) {
+    CreatureBuilder builder(kind_catalog());
+    auto last = builder.part(length, 0.1);
+    for (int i = 0; i < parts - 1; ++i) {
+        const auto next = builder.part(length, 0.1);
+        builder.attach(last, next, 0.125);
+        builder.swing(next, 1.0, lag * i, amplitude);
+        last = next;
+    }
+    return builder.build();
+}
+
 inline std::unique_ptr<Preserve> begun(const ExperimentSettings& settings,
                                        std::vector<GenomePtr> founders) {
     auto preserve = Preserve::begin(std::make_shared<const ExperimentSettings>(settings), kinds(),
@@ -168,6 +182,20 @@ inline std::vector<Intervention> repeated_from(const std::filesystem::path& path
     }
     CHECK(digest_of(words_of(*(*replayed)->snapshot())) == to.digest);
     return all;
+}
+
+// Requires that a world goes on from its file with the bits of the one that was not interrupted,
+// and returns the settings in the file.
+inline SettingsPtr check_goes_on(const std::filesystem::path& path,
+                                 const std::vector<GenomePtr>& founders, const Preserve& uncut) {
+    const auto opened = PreserveFile::open(path, kinds());
+    REQUIRE(opened);
+    const auto resumed =
+        Preserve::resume(opened->origin.settings, kinds(), founders, opened->state);
+    REQUIRE(resumed);
+    run_to(**resumed, uncut.ticks());
+    CHECK(digest(**resumed) == digest(uncut));
+    return opened->origin.settings;
 }
 
 }  // namespace cambrian::test

@@ -44,11 +44,6 @@ bool overlap(const Rectangle& a, const Rectangle& b) {
     return true;
 }
 
-bool overlap(const Bounds& a, const Bounds& b) {
-    return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() && a.low.y() <= b.high.y() &&
-           b.low.y() <= a.high.y();
-}
-
 bool overlap(const Bounds& a, const Bounds& b, const Torus& torus) {
     bool met = false;
     torus.visit_images(a, b, [&](const Vec3& shift) { met = met || overlap(moved(a, shift), b); });

@@ -32,8 +32,7 @@ double half_projection(const Rectangle& rectangle, const Vec3& direction);
 
 // Returns whether two rectangles have a point in common (separating axis theorem).
 bool overlap(const Rectangle& a, const Rectangle& b);
-// Returns whether two boxes have a point in common, the second function: or images of them.
-bool overlap(const Bounds& a, const Bounds& b);
+// Returns whether two boxes or images of them have a point in common.
 bool overlap(const Bounds& a, const Bounds& b, const Torus& torus);
 
 // Returns the distance of a point from a rectangle in m; 0 inside.
