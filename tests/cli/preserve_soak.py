@@ -2,11 +2,14 @@
 of all energy is ever another one, by a billionth of a joule or more, if the program ends by itself,
 or if its memory grows by more than 5 % from the second quarter of the time to the last. The lowest
 memory of each quarter counts, since it follows the population at times. Prints a row for each tenth
-of the time, as CSV, and at the end the memory and how many of the worlds still have creatures.
+of the time, as CSV, and at the end the memory and how many of the worlds still have creatures. A
+soak by the clock stops after so many hours; with a folder its worlds are kept there, and the next
+soak goes on with them.
 
     CAMBRIAN=build/release/bin/cambrian python3 -B tests/cli/preserve_soak.py --hours 10 \\
         --settings assets/settings/pond.toml --founders assets/creatures/squid.creature.json
     ... --hours 1 --seeds 1 2 3 4 5 --without-restocking
+    ... --hours 1000 --clock-hours 2 --worlds build/ponds --rows-every 600
 """
 
 import argparse
@@ -15,9 +18,13 @@ import json
 import os
 import pathlib
 import re
+import resource
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("CAMBRIAN", str(ROOT / "build/release/bin/cambrian"))
@@ -66,18 +73,38 @@ def print_row(seed, line, sums, memory):
           f"{float(line['real_time_factor']):.1f}", f"{memory / 1e6:.1f}", sep=",", flush=True)
 
 
+def command_of(seed, options, folder):
+    """Returns the command line that begins a world or goes on with one that is kept."""
+    world = pathlib.Path(options.worlds or folder) / f"seed_{seed}.cambrian"
+    command = [PROGRAM, "preserve", "--json", "--seconds", str(3600 * options.hours),
+               "--threads", str(options.threads)]
+    if world.exists():
+        return command + ["--resume", world]
+    command += [settings_of(options, folder), "--seed", str(seed), "--out", world]
+    return command + (["--founders", *options.founders] if options.founders else [])
+
+
+def print_times(seed, looks, begun):
+    """Says how long the program ran; its processor time is that of all the worlds so far."""
+    spent = resource.getrusage(resource.RUSAGE_CHILDREN)
+    print(f"# seed {seed}: {looks * ROW / 3600:.2f} h of the world in "
+          f"{(time.monotonic() - begun) / 3600:.2f} h; {(spent.ru_utime + spent.ru_stime) / 3600:.2f}"
+          " h of processor time up to here")
+
+
 def run(seed, options):
     """Runs one world. Returns the last line of the program and the memory at each."""
     with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        command = [PROGRAM, "preserve", settings_of(options, folder), "--json", "--seed", str(seed),
-                   "--seconds", str(3600 * options.hours), "--threads", str(options.threads),
-                   "--out", folder / "world.cambrian"]
-        if options.founders:
-            command += ["--founders", *options.founders]
-        process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+        begun = time.monotonic()
+        process = subprocess.Popen(command_of(seed, options, pathlib.Path(name)),
+                                   stdout=subprocess.PIPE, text=True)
+        if options.clock_hours:
+            clock = threading.Timer(3600 * options.clock_hours, process.send_signal,
+                                    [signal.SIGINT])
+            clock.daemon = True
+            clock.start()
         total, memory, sums, line = None, [], Sums(), None
-        every = max(1, round(3600 * options.hours / ROW / 10))
+        every = options.rows_every or max(ROW, 360 * options.hours)
         for text in process.stdout:
             line = json.loads(text, parse_float=decimal.Decimal)
             memory.append(resident_memory(process))
@@ -85,11 +112,13 @@ def run(seed, options):
             total = total or energy
             assert energy == total, f"seed {seed}, {line['time']} s: {energy} J, not {total} J"
             sums.add(line)
-            if len(memory) % every == 0:
+            if len(memory) % round(every / ROW) == 0:
                 print_row(seed, line, sums, memory[-1])
                 sums = Sums()
         assert process.wait() == 0, f"seed {seed}: the program ended by itself"
-        assert len(memory) == int(3600 * options.hours / ROW), f"seed {seed}: it ended too early"
+        print_times(seed, len(memory), begun)
+        assert options.clock_hours or line["time"] >= 3600 * options.hours, (
+            f"seed {seed}: it ended too early")
         print(f"# seed {seed}: {total} J at each of {len(memory)} looks", flush=True)
         return line, memory
 
@@ -108,6 +137,9 @@ def main():
     parser.add_argument("--settings", default=str(ROOT / "assets/settings/pond.toml"))
     parser.add_argument("--founders", nargs="*", default=[])
     parser.add_argument("--hours", type=float, default=10.0, help="time of each world")
+    parser.add_argument("--clock-hours", type=float, help="time of the clock for each world")
+    parser.add_argument("--worlds", help="folder of worlds that are kept")
+    parser.add_argument("--rows-every", type=float, help="time of the world between rows, in s")
     parser.add_argument("--seeds", type=int, nargs="+", default=[1])
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--without-restocking", action="store_true")
