@@ -2,7 +2,8 @@
 
 #include "cluster/coordinator/answers.h"
 #include "cluster/coordinator/batch.h"
-#include "cluster/coordinator/patience.h"
+#include "cluster/coordinator/fading_ratio.h"
+#include "cluster/coordinator/seventh_decile.h"
 #include "cluster/coordinator/trust.h"
 #include "cluster/coordinator/unit_ledger.h"
 #include "cluster/coordinator/unit_sizing.h"
@@ -20,20 +21,38 @@ using test::kinds;
 using List = std::vector<std::size_t>;
 
 TEST_CASE("units shrink as less is left", "[cluster]") {
-    CHECK(unit_seconds(1'000.0, {.own = 1, .remote = 7}) == 2.0);
-    CHECK(unit_seconds(12.0, {.own = 1, .remote = 7}) == 0.5);
-    CHECK(unit_seconds(0.032, {.own = 1, .remote = 7}) == 0.01);
-    // Half of a batch of 6 ms on two cores stays with the coordinator.
-    CHECK(unit_seconds(0.006, {.own = 1, .remote = 1}) == Approx(0.003));
+    CHECK(unit_seconds({.open = 1'000.0}, {.own = 1, .remote = 7}) == 2.0);
+    CHECK(unit_seconds({.open = 16.0}, {.own = 1, .remote = 7}) == 0.5);
+    CHECK(unit_seconds({.open = 0.032}, {.own = 1, .remote = 7}) == 0.01);
     double left = 80.0;
     int units = 0;
     for (double last = 1e9; left > 1e-9; ++units) {
-        const double unit = std::min(left, unit_seconds(left, {.own = 8, .remote = 8}));
+        const Cores cores{.own = 8, .remote = 8};
+        const double unit = std::min(left, unit_seconds({.open = left}, cores));
         CHECK(unit <= last);
         last = unit;
         left -= unit;
     }
     CHECK(units < 1'000);
+}
+
+TEST_CASE("workers get no more than they can do while the own cores do the rest", "[cluster]") {
+    // Half of a batch of 6 ms on two cores stays with the coordinator.
+    CHECK(unit_seconds({.open = 0.006}, {.own = 1, .remote = 1}) == Approx(0.003));
+    CHECK(unit_seconds({.open = 0.006}, {.own = 1, .remote = 5}) == Approx(0.005));
+    // A unit of 4 ms and one more of 8 ms take as long as what is then open.
+    CHECK(unit_seconds({.open = 0.020, .sent = 0.004}, {.own = 1, .remote = 1}) == Approx(0.008));
+    CHECK(unit_seconds({.open = 0.020, .sent = 0.021}, {.own = 1, .remote = 1}) < 0.0);
+    // A unit comes back after 5 ms more than its work, or an own core takes twice as long.
+    CHECK(unit_seconds({.open = 0.020, .latency = 0.005}, {.own = 1, .remote = 1}) ==
+          Approx(0.0075));
+    CHECK(unit_seconds({.open = 0.020, .latency = 0.030}, {.own = 1, .remote = 7}) < 0.0);
+    CHECK(unit_seconds({.open = 0.015, .own_pace = 2.0}, {.own = 1, .remote = 1}) == Approx(0.010));
+    // Own cores that several runs share keep no more than their number.
+    const LeftWork busy{.open = 0.006, .sent = 1.0, .latency = 1.0, .own_pace = 9.0};
+    CHECK(unit_seconds(busy, {.own = 1, .remote = 1}) == Approx(0.003));
+    CHECK(unit_seconds({.open = 0.0, .sent = 0.004}, {.own = 1, .remote = 7}) < 0.0);
+    CHECK(unit_seconds({}, {.own = 1, .remote = 7}) == 0.0);
 }
 
 TEST_CASE("costs are learnt, and unknown ones are the median", "[cluster]") {
@@ -176,6 +195,64 @@ TEST_CASE("the best creature is computed at home before it counts", "[cluster]")
     answers.compute(1, with_fitness(3.0));
     CHECK(answers.all_settled());
     CHECK_FALSE(answers.check_leader());
+}
+
+TEST_CASE("a leader can be checked before all others have answered", "[cluster]") {
+    Answers answers(3);
+    CHECK_FALSE(answers.check_leader());
+    answers.claim(0, 1, with_fitness(2.0), false);
+    answers.claim(1, 1, with_fitness(3.0), false);
+    CHECK(answers.check_leader());
+    CHECK(answers.next_check() == 1U);
+    // While this check is computed, no other one is wanted.
+    CHECK(answers.check_leader());
+    CHECK_FALSE(answers.next_check());
+    answers.compute(1, with_fitness(3.0));
+    CHECK_FALSE(answers.check_leader());
+    answers.claim(2, 1, with_fitness(4.0), false);
+    CHECK(answers.check_leader());
+    CHECK(answers.next_check() == 2U);
+}
+
+TEST_CASE("idle cores check the leader of an unfinished batch", "[cluster]") {
+    Batch::Memory memory{.trust = Trust(1)};
+    // The worker is known, so few of its results are drawn.
+    memory.last_best = 100.0;
+    for (std::uint32_t slot = 0; slot < 1'000'000; ++slot)
+        memory.trust.draw_check(7, 1, slot, 0.0);
+    std::vector<EvaluationRequest> requests(4);
+    for (EvaluationRequest& request : requests) {
+        request.genome = std::make_shared<const Genome>();
+        request.expected_work = 1'000'000;
+    }
+    Batch batch(requests, 1, memory);
+    const Cores cores{.own = 1, .remote = 1};
+    const auto first = batch.next_unit(0.0, cores);
+    REQUIRE(first);
+    CHECK(first->creatures == List{0});
+    const auto second = batch.next_unit(0.0, cores);
+    REQUIRE(second);
+    CHECK(second->creatures == List{1});
+    // The workers have their share.
+    CHECK_FALSE(batch.next_unit(0.0, cores));
+    for (const std::size_t open : {3U, 2U}) {
+        CHECK(batch.next_home_task(0.1, cores)->creatures == List{open});
+        batch.finish_at_home(open, with_fitness(1.0), {3.0, 3.0});
+    }
+    CHECK_FALSE(batch.next_home_task(0.2, cores));
+    UnitResult result;
+    result.worker = 7;
+    result.results = {{0, genome_hash(*requests[0].genome), with_fitness(2.0)}};
+    REQUIRE(batch.take_result(0, result, 0.3, cores));
+    const auto check = batch.next_home_task(0.4, cores);
+    REQUIRE(check);
+    CHECK(check->creatures == List{0});
+    CHECK_FALSE(check->late);
+    CHECK_FALSE(batch.next_home_task(0.5, cores));
+    batch.finish_at_home(0, with_fitness(2.0), {3.0, 3.0});
+    result.results = {{1, genome_hash(*requests[1].genome), with_fitness(1.5)}};
+    REQUIRE(batch.take_result(1, result, 0.6, cores));
+    CHECK(batch.complete());
 }
 
 TEST_CASE("new workers are checked much, proven ones a little", "[cluster]") {
@@ -334,22 +411,35 @@ TEST_CASE("the proof set notices a light, a muscle or a sense that differs", "[c
     CHECK_FALSE(differing_trials(expected, proof_trials(rigid)).empty());
 }
 
-TEST_CASE("patience follows the turnaround of most units, not of a few slow ones", "[cluster]") {
-    Patience patience;
+TEST_CASE("the seventh decile follows most samples, not a few slow ones", "[cluster]") {
+    SeventhDecile ratio(1.0, 100.0);
     for (int unit = 0; unit < 1'000; ++unit)
-        patience.learn(0.5, 1.0);
-    CHECK(patience.factor() == 1.0);
+        ratio.learn(0.5);
+    CHECK(ratio.value() == 1.0);
     // Units that wait for those of other runs take four times their expected time.
     for (int unit = 0; unit < 1'000; ++unit)
-        patience.learn(4.0, 1.0);
-    CHECK(patience.factor() == Approx(4.0).epsilon(0.06));
+        ratio.learn(4.0);
+    CHECK(ratio.value() == Approx(4.0).epsilon(0.06));
     // One unit of five is held by a slow worker.
     for (int unit = 0; unit < 5'000; ++unit)
-        patience.learn(unit % 5 == 0 ? 40.0 : 2.0, 1.0);
-    CHECK(patience.factor() == Approx(2.0).epsilon(0.06));
+        ratio.learn(unit % 5 == 0 ? 40.0 : 2.0);
+    CHECK(ratio.value() == Approx(2.0).epsilon(0.06));
     for (int unit = 0; unit < 1'000; ++unit)
-        patience.learn(1e6, 1.0);
-    CHECK(patience.factor() == 100.0);
+        ratio.learn(1e6);
+    CHECK(ratio.value() == 100.0);
+}
+
+TEST_CASE("a ratio weighs long times more, and forgets", "[cluster]") {
+    FadingRatio ratio(50.0);
+    CHECK(ratio.value() == 1.0);
+    // One creature of ten waits for the processor a hundred times as long as it computes.
+    for (int creature = 0; creature < 1'000; ++creature)
+        ratio.learn(creature % 10 == 0 ? 0.3 : 0.003, 0.003);
+    CHECK(ratio.value() > 9.0);
+    CHECK(ratio.value() < 13.0);
+    for (int creature = 0; creature < 500; ++creature)
+        ratio.learn(0.006, 0.003);
+    CHECK(ratio.value() == Approx(2.0).epsilon(1e-3));
 }
 
 TEST_CASE("a late unit comes home early and casts doubt on its worker only later", "[cluster]") {
@@ -414,7 +504,7 @@ TEST_CASE("a complete batch stays complete when another answer arrives", "[clust
     const Cores cores{.own = 1, .remote = 99};
     const auto plan = batch.next_unit(0.0, cores);
     REQUIRE(plan);
-    batch.finish_at_home(1, with_fitness(2.0), 0.1);
+    batch.finish_at_home(1, with_fitness(2.0), {0.1, 0.1});
     const auto answer = [&](std::uint64_t worker, double fitness) {
         UnitResult unit;
         unit.worker = worker;
@@ -429,7 +519,7 @@ TEST_CASE("a complete batch stays complete when another answer arrives", "[clust
     CHECK(batch.settled() == 2);
     CHECK(batch.result(0)->fitness == 1.0);
     CHECK(memory.counts.duplicates == 1);
-    batch.finish_at_home(0, with_fitness(fitness), 0.1);
+    batch.finish_at_home(0, with_fitness(fitness), {0.1, 0.1});
     CHECK(batch.complete());
     CHECK(batch.result(0)->fitness == 1.0);
 }

@@ -13,9 +13,7 @@ bool Answers::settled(std::size_t creature) const {
 }
 
 const EvaluationResult* Answers::result(std::size_t creature) const {
-    if (!settled(creature)) return nullptr;
-    const Answer& answer = answers_[creature];
-    return answer.home ? &*answer.home : &answer.claims.front().result;
+    return settled(creature) ? claimed_result(creature) : nullptr;
 }
 
 template <class Change>
@@ -80,12 +78,18 @@ std::optional<std::size_t> Answers::next_check() {
     return creature;
 }
 
+const EvaluationResult* Answers::claimed_result(std::size_t creature) const {
+    const Answer& answer = answers_[creature];
+    if (answer.home) return &*answer.home;
+    return answer.claims.empty() ? nullptr : &answer.claims.front().result;
+}
+
 bool Answers::check_leader() {
     std::optional<std::size_t> best;
     for (std::size_t creature = 0; creature < answers_.size(); ++creature) {
-        const EvaluationResult* each = result(creature);
+        const EvaluationResult* each = claimed_result(creature);
         if (each == nullptr || each->outcome != Outcome::kCompleted) continue;
-        if (!best || each->fitness > result(*best)->fitness) best = creature;
+        if (!best || each->fitness > claimed_result(*best)->fitness) best = creature;
     }
     if (!best || answers_[*best].home) return false;
     want_check(*best);

@@ -48,8 +48,8 @@ public:
 
     // The next creature that this machine must compute as a check; each is returned once.
     std::optional<std::size_t> next_check();
-    // Requests the check of the best finished creature, unless it is certain. Returns whether it
-    // did.
+    // Requests the check of the best creature that has an answer, unless it is certain. Returns
+    // whether that check is still to come.
     bool check_leader();
 
 private:
@@ -63,6 +63,8 @@ private:
         bool check = false;  // wanted, and not yet computed
     };
     void want_check(std::size_t creature);
+    // The result that counts, or will count if nothing contradicts it; null without any.
+    const EvaluationResult* claimed_result(std::size_t creature) const;
     // Updates the number of settled creatures when an answer changes.
     template <class Change>
     void change(std::size_t creature, Change apply);

@@ -53,7 +53,7 @@ std::optional<Batch::HomeTask> Batch::next_home_task(double now, const Cores& co
     // If no worker can be reached, every unit is late.
     const double moment = cores.remote == 0 ? std::max(now, ledger_.next_due().value_or(now)) : now;
     auto late = ledger_.take_late(moment, cores.own);
-    if (!late) return std::nullopt;
+    if (!late) return early_check();
     if (late->first) ++memory_.counts.overdue_at_home;
     HomeTask task{.creatures = std::move(late->creatures), .late = true};
     if (now > late->published + kSilentFactor * (late->due - late->published) + kSilentGrace)
@@ -61,10 +61,18 @@ std::optional<Batch::HomeTask> Batch::next_home_task(double now, const Cores& co
     return task;
 }
 
-void Batch::finish_at_home(std::size_t creature, EvaluationResult result, double seconds) {
+std::optional<Batch::HomeTask> Batch::early_check() {
+    if (!answers_.check_leader()) return std::nullopt;
+    const auto check = answers_.next_check();
+    if (!check) return std::nullopt;
+    return HomeTask{.creatures = {*check}};
+}
+
+void Batch::finish_at_home(std::size_t creature, EvaluationResult result, const Took& took) {
     if (complete_) return;
-    memory_.costs.learn(1, result.work, seconds);
-    core_seconds_ += seconds;
+    memory_.costs.learn(1, result.work, took.processor);
+    if (took.processor > 0.0) memory_.own_pace.learn(took.wall, took.processor);
+    core_seconds_ += took.processor;
     if (result.outcome == Outcome::kCompleted) best_ = std::max(best_, result.fitness);
     const std::vector<ResultComparison> comparisons = answers_.compute(creature, std::move(result));
     ledger_.answered(creature);
@@ -91,8 +99,13 @@ void Batch::refuse(std::uint64_t worker) {
 std::optional<Batch::UnitPlan> Batch::next_unit(double now, const Cores& cores) {
     if (cores.remote == 0 || ledger_.outstanding() >= kUnitsAhead * cores.remote)
         return std::nullopt;
+    const LeftWork left{.open = ledger_.open_seconds(),
+                        .sent = ledger_.outstanding_seconds(),
+                        .latency = memory_.latency.value(),
+                        .own_pace = memory_.own_pace.value()};
+    const double seconds = unit_seconds(left, cores);
+    if (seconds <= 0.0) return std::nullopt;
     UnitPlan plan;
-    const double seconds = unit_seconds(ledger_.open_seconds(), cores);
     plan.creatures = ledger_.take_for_unit(seconds, most_creatures_);
     if (plan.creatures.empty()) return std::nullopt;
     plan.number = static_cast<std::uint32_t>(published_.size());
@@ -101,7 +114,7 @@ std::optional<Batch::UnitPlan> Batch::next_unit(double now, const Cores& cores) 
     const double expected = before + plan.seconds;
     published_.push_back({now, expected});
     ledger_.publish(plan.number, plan.creatures, now,
-                    now + kLateFactor * memory_.patience.factor() * expected + kLateGrace);
+                    now + kLateFactor * memory_.patience.value() * expected + kLateGrace);
     ++memory_.counts.units;
     return plan;
 }
@@ -129,7 +142,9 @@ std::vector<std::size_t> Batch::close(std::uint32_t unit, double now) {
     std::vector<std::size_t> creatures = ledger_.close(unit);
     if (creatures.empty()) return creatures;
     const Published& published = published_[unit];
-    memory_.patience.learn(now - published.at, published.expected);
+    const double turnaround = now - published.at;
+    memory_.patience.learn(turnaround / published.expected);
+    memory_.latency.learn(turnaround - published.expected);
     return creatures;
 }
 

@@ -4,7 +4,8 @@
 // certainty (cluster/README.md 1). It is not thread-safe. The caller gives the time, in seconds.
 
 #include "cluster/coordinator/answers.h"
-#include "cluster/coordinator/patience.h"
+#include "cluster/coordinator/fading_ratio.h"
+#include "cluster/coordinator/seventh_decile.h"
 #include "cluster/coordinator/trust.h"
 #include "cluster/coordinator/unit_ledger.h"
 #include "cluster/coordinator/unit_sizing.h"
@@ -26,7 +27,12 @@ public:
     struct Memory {
         CostModel costs = {};
         Trust trust;
-        Patience patience = {};
+        // The turnaround of units as a multiple of what their work explains, and beyond it in s:
+        // workers may be slow or busy with the units of other runs.
+        SeventhDecile patience{1.0, 100.0};
+        SeventhDecile latency{1e-3, 10.0};
+        // The time of this machine's cores, which runs at once share, over their processor time.
+        FadingRatio own_pace{50.0};
         double last_best = 0.0;  // fitness in the last batch
         BackendCounts counts = {};
         std::vector<std::uint64_t> other_bits = {};  // workers refused since a result differed
@@ -47,7 +53,12 @@ public:
     // Returns the next task of a core of this machine; nothing while it must wait.
     std::optional<HomeTask> next_home_task(double now, const Cores& cores);
     std::optional<double> next_due() const { return ledger_.next_due(); }
-    void finish_at_home(std::size_t creature, EvaluationResult result, double seconds);
+    // How long a computation took, s; 0 if unknown.
+    struct Took {
+        double processor = 0.0;
+        double wall = 0.0;
+    };
+    void finish_at_home(std::size_t creature, EvaluationResult result, const Took& took);
 
     struct UnitPlan {
         std::uint32_t number = 0;
@@ -76,6 +87,9 @@ public:
     double core_seconds() const { return core_seconds_; }  // time that its results took
 
 private:
+    // The check of the creature that leads so far. It is likely to lead at the end, too, when its
+    // check would keep all cores waiting.
+    std::optional<HomeTask> early_check();
     bool is_answer(const UnitResult& result) const;
     void take_claim(const UnitResult& unit, const SlotResult& each, double least);
     void compare(const ResultComparison& comparison);

@@ -241,14 +241,16 @@ void ClusterBackend::perform(Call& call, const Batch::HomeTask& task) {
 }
 
 void ClusterBackend::compute_here(Call& call, std::size_t creature) {
+    const double begun = now();
     ThreadTimer timer;
     EvaluationResult result = evaluate_in_trials(call.batch->requests()[creature], call.settings,
                                                  kinds_, call.ended.get_token());
     if (result.outcome == Outcome::kInterrupted) return;
-    const double seconds = timer.lap();
+    const double moment = now();
+    const Batch::Took took{.processor = timer.lap(), .wall = moment - begun};
     const std::lock_guard lock(mutex_);
-    roll_.worked_at_home(1, result.work, now());
-    call.batch->finish_at_home(creature, std::move(result), seconds);
+    roll_.worked_at_home(1, result.work, moment);
+    call.batch->finish_at_home(creature, std::move(result), took);
     after_change(call);
 }
 
@@ -260,7 +262,7 @@ void ClusterBackend::compute_apart(Call& call, const std::vector<std::size_t>& c
         ++memory_.counts.poisoned;
         for (SlotResult& each : apart.results) {
             roll_.worked_at_home(1, each.result.work, now());
-            call.batch->finish_at_home(each.slot, std::move(each.result), 0.0);
+            call.batch->finish_at_home(each.slot, std::move(each.result), {});
         }
         if (!apart.trouble.empty()) complaint_ = apart.trouble;
         if (!apart.failure.empty()) fail(std::move(apart.failure));

@@ -8,7 +8,8 @@ namespace {
 constexpr double kMemory = 200.0;  // number of creatures over which old measurements fade
 constexpr double kLeastSeconds = 0.01;
 constexpr double kMostSeconds = 2.0;
-constexpr double kRounds = 3.0;  // units per core if all were as long as the next
+constexpr double kBusyPace = 2.0;  // of own cores that have much else to do
+constexpr double kRounds = 4.0;  // units per core if all were as long as the next
 
 double median_work(std::span<const EvaluationRequest> requests, double fallback) {
     std::vector<double> known;
@@ -44,11 +45,18 @@ void CostModel::learn(std::size_t creatures, std::uint64_t work, double seconds)
     seconds_ = kept * seconds_ + seconds;
 }
 
-double unit_seconds(double remaining, const Cores& cores) {
-    const double share = remaining / static_cast<double>(cores.all());
-    const double guided = std::clamp(share / kRounds, kLeastSeconds, kMostSeconds);
-    // A short batch is divided, too.
-    return std::min(guided, share * static_cast<double>(cores.remote));
+double unit_seconds(const LeftWork& left, const Cores& cores) {
+    const auto own = static_cast<double>(cores.own);
+    const auto remote = static_cast<double>(cores.remote);
+    const double guided =
+        std::clamp(left.open / (own + remote) / kRounds, kLeastSeconds, kMostSeconds);
+    // Runs at once share the own cores, so one creature on these may take as long as all others.
+    if (left.own_pace > kBusyPace) return std::min(guided, left.open * remote / (own + remote));
+    // With this much, (sent + even) / remote + latency = (open - even) own_pace / own.
+    const double even = (left.open * left.own_pace * remote - left.sent * own -
+                         left.latency * own * remote) /
+                        (own + left.own_pace * remote);
+    return std::min(guided, even);
 }
 
 }  // namespace cambrian

@@ -35,9 +35,19 @@ struct Cores {
     std::size_t all() const { return own + remote; }
 };
 
-// Returns the work of the next unit, in s, from 10 ms to 2 s (guided self-scheduling,
-// Polychronopoulos and Kuck 1987). It is a share of the remaining work, so the last units are short
-// and all cores end at nearly the same time.
-double unit_seconds(double remaining, const Cores& cores);
+// What is left of a batch, in s of one core.
+struct LeftWork {
+    double open = 0.0;  // that nobody has
+    double sent = 0.0;  // that workers have
+    // Time of a unit beyond what the work before it and in it explains, s.
+    double latency = 0.0;
+    double own_pace = 1.0;  // time of an own core for a second of work
+};
+
+// Returns the work of the next unit, in s, at most 2 s; 0 or less if the workers have their share.
+// It is a share of the open work, so the last units are short and all cores end at nearly the same
+// time (guided self-scheduling, Polychronopoulos and Kuck 1987). It is 10 ms or more, unless the
+// workers would then end later than the cores of this machine.
+double unit_seconds(const LeftWork& left, const Cores& cores);
 
 }  // namespace cambrian
