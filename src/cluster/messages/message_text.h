@@ -50,7 +50,7 @@ Result<Message> read_message(const MessageKind& kind, std::string_view text,
     ErrorList errors;
     const std::optional<JsonValue> root = parse_object(text, limits, errors);
     if (!errors.empty()) return errors.as_error(kind.format);
-    JsonReader reader(*root, "", errors);
+    JsonReader reader(*root, {}, errors);
     Message message;
     if (read_kind(reader, kind, errors)) describe(reader, message);
     if (!errors.empty()) return errors.as_error(kind.format);

@@ -135,7 +135,7 @@ Result<UnitOutline> parse_unit_outline(std::string_view body) {
     ErrorList errors;
     const auto root = parse_object(line_and_rest(body).first, kUnitLimits, errors);
     if (!errors.empty()) return errors.as_error(kUnitKind.format);
-    JsonReader reader(*root, "", errors);
+    JsonReader reader(*root, {}, errors);
     UnitOutline outline;
     outline.version = read_version(reader, kUnitKind.format, errors);
     if (errors.empty() && outline.version == kUnitVersion) describe_terms(reader, outline.terms);

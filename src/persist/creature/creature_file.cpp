@@ -31,7 +31,7 @@ void read_scored(JsonReader& reader, ScoreText& scored, ExperimentSettings& sett
                     names_of(kinds.creature.catalog));
     settings.seed = scored.seed;
     const auto excess = trial_excess(settings.world);
-    reader.require(!excess, "E07", "trial", excess.value_or(""));
+    reader.require(!excess, "E07", "trial", [&] { return *excess; });
 }
 
 // Checks the kind and version of the file; only a known version is read further.
@@ -197,7 +197,7 @@ std::optional<ConfirmedScore> confirmed_score(const EvaluationResult& result) {
 
 void creature_format::write_genotype(std::string& text, const Individual& individual,
                                      const KindNames& names) {
-    JsonWriter writer(text, JsonLayout::kCompact);
+    JsonWriter writer(text, JsonLayout::kDense);
     begin_document(writer, *individual.genome);
     const Identity identity = identity_of(individual, hex_text(individual.uid));
     describe_identity(writer, identity, names);
@@ -215,7 +215,7 @@ Result<CreatureDocument> parse_creature(std::string_view text, std::string_view 
         errors.error("E06", "", std::string("expected an object, found ") + root->kind_in_words());
         return errors.as_error(source);
     }
-    JsonReader reader(*root, "", errors);
+    JsonReader reader(*root, {}, errors);
     if (!read_header(*root, reader, errors)) return errors.as_error(source);
     CreatureText read;
     ExperimentSettings settings;

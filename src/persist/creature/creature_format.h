@@ -101,10 +101,11 @@ template <class Archive, class Source>
 void describe_source(Archive& archive, Source& source, SourceScope scope, const KindNames& names) {
     archive.type(scope == SourceScope::kPart ? "partSource" : "centralSource");
     if (!archive.variant("kind", source.kind, kSources, "source")) return;
-    archive.require(is_allowed(source.kind, scope), "E12", "kind",
-                    fmt::format("\"{}\" is only for {} neurons",
-                                kSources[static_cast<std::size_t>(source.kind)],
-                                scope == SourceScope::kPart ? "central" : "part"));
+    archive.require(is_allowed(source.kind, scope), "E12", "kind", [&] {
+        return fmt::format("\"{}\" is only for {} neurons",
+                           kSources[static_cast<std::size_t>(source.kind)],
+                           scope == SourceScope::kPart ? "central" : "part");
+    });
     const SourceRule rule = source_rule(source.kind);
     if (rule.uses_child) archive.integer("e", source.child, 0, gene_range::kMaxReference);
     if (rule.uses_instance) {
@@ -138,10 +139,10 @@ void describe_neuron(Archive& archive, Neuron& neuron, SourceScope scope, const 
                  });
     if (!known) return;
     const auto arity = static_cast<std::size_t>(names.arities[neuron.function]);
-    archive.require_count(
-        "in", neuron.inputs.size(), arity, "E11",
-        fmt::format("function \"{}\" needs {}, found {}", names.functions[neuron.function],
-                    counted(arity, "input"), neuron.inputs.size()));
+    archive.require_count("in", neuron.inputs.size(), arity, "E11", [&] {
+        return fmt::format("function \"{}\" needs {}, found {}", names.functions[neuron.function],
+                           counted(arity, "input"), neuron.inputs.size());
+    });
 }
 
 template <class Archive, class Edge>
@@ -201,7 +202,7 @@ void describe_node(Archive& archive, Node& node, std::size_t node_count, const K
         [&](Archive& inner, auto& organ) { describe_organ(inner, organ, names); });
     const std::string* doubled = doubled_organ(node.organs, names);
     archive.require(doubled == nullptr, "E10", "organs",
-                    fmt::format("over 1 entry \"{}\", limit 1", doubled ? *doubled : ""));
+                    [&] { return fmt::format("over 1 entry \"{}\", limit 1", *doubled); });
     archive.list("neurons", node.neurons, 0, gene_range::kMaxNodeNeurons, JsonLayout::kLines,
                  [&](Archive& inner, auto& neuron) {
                      describe_neuron(inner, neuron, SourceScope::kPart, names);
@@ -324,7 +325,7 @@ void describe_scored(Archive& archive, Scored& scored, Settings& settings,
         [&](Archive& inner, auto& genome) { describe_opponent(inner, genome, names); });
 }
 
-// Appends a document without a score, on few lines.
+// Appends a document without a score, on one line.
 void write_genotype(std::string& text, const Individual& individual, const KindNames& names);
 
 }  // namespace cambrian::creature_format

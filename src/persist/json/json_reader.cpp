@@ -51,29 +51,34 @@ const char* code_of(SettingFault fault) {
 
 }  // namespace
 
+std::string JsonPlace::pointer() const {
+    if (parent == nullptr) return {};
+    const std::string before = parent->pointer();
+    return index ? fmt::format("{}/{}", before, *index) : fmt::format("{}/{}", before, key);
+}
+
 void JsonReader::end() {
     for (const std::string& key : object_.keys) {
         if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
         const std::string near = nearest_name(key, known_);
-        errors_.warn("W01", place(shown(key)),
+        errors_.warn("W01", pointer(shown(key)),
                      near.empty()
                          ? "unknown key, ignored"
                          : fmt::format("unknown key, ignored; did you mean \"{}\"?", near));
     }
 }
 
-void JsonReader::wrong_type(const std::string& where, const char* expected,
-                            const JsonValue& found) {
+void JsonReader::wrong_type(const JsonPlace& where, const char* expected, const JsonValue& found) {
     const std::string what =
         found.kind == Kind::kText ? in_quotes(found.text) : found.kind_in_words();
-    errors_.error("E06", where, fmt::format("expected {}, found {}", expected, what));
+    errors_.error("E06", where.pointer(), fmt::format("expected {}, found {}", expected, what));
 }
 
 const JsonValue* JsonReader::member(const char* key, Kind kind, const char* expected) {
     known_.emplace_back(key);
     const JsonValue* value = object_.find(key);
     if (value == nullptr) {
-        errors_.error("E05", place(key), "missing");
+        errors_.error("E05", pointer(key), "missing");
         return nullptr;
     }
     const bool number = kind == Kind::kReal && value->kind == Kind::kInteger;
@@ -86,18 +91,19 @@ const JsonValue* JsonReader::number_member(const char* key, const char* expected
     return member(key, Kind::kReal, expected);
 }
 
-bool JsonReader::check_real(const std::string& where, const JsonValue& value,
-                            const FieldRule& rule) {
+bool JsonReader::check_real(const JsonPlace& where, const JsonValue& value, const FieldRule& rule) {
     if (value.kind != Kind::kReal && value.kind != Kind::kInteger) {
         wrong_type(where, "a number", value);
         return false;
     }
     if (in_range(value.number, rule)) return true;
     if (rule.whole && value.number != std::floor(value.number)) {
-        errors_.error("E06", where, "expected a whole number, found " + short_text(value.number));
+        errors_.error("E06", where.pointer(),
+                      "expected a whole number, found " + short_text(value.number));
         return false;
     }
-    errors_.error("E07", where, range_message(value.number, rule.low, rule.high, rule.wraps));
+    errors_.error("E07", where.pointer(),
+                  range_message(value.number, rule.low, rule.high, rule.wraps));
     return false;
 }
 
@@ -117,25 +123,25 @@ void JsonReader::pair(const char* key, double& first, const FieldRule& first_rul
     if (both == nullptr) return;
     if (both->values.size() != 2) {
         errors_.error(
-            "E06", place(key),
+            "E06", pointer(key),
             fmt::format("expected a list of 2 numbers, found one of {}", both->values.size()));
         return;
     }
-    if (check_real(place(key) + "/0", both->values[0], first_rule)) first = both->values[0].number;
-    if (check_real(place(key) + "/1", both->values[1], second_rule))
-        second = both->values[1].number;
+    const JsonPlace list = place(key);
+    if (check_real(entry(list, 0), both->values[0], first_rule)) first = both->values[0].number;
+    if (check_real(entry(list, 1), both->values[1], second_rule)) second = both->values[1].number;
 }
 
 std::optional<double> JsonReader::whole_number(const char* key, double low, double high) {
     const JsonValue* value = number_member(key, "a whole number");
     if (value == nullptr) return std::nullopt;
     if (value->number != std::floor(value->number)) {
-        errors_.error("E06", place(key),
+        errors_.error("E06", pointer(key),
                       "expected a whole number, found " + short_text(value->number));
         return std::nullopt;
     }
     if (value->number >= low && value->number <= high) return value->number;
-    errors_.error("E07", place(key), range_message(value->number, low, high));
+    errors_.error("E07", pointer(key), range_message(value->number, low, high));
     return std::nullopt;
 }
 
@@ -143,7 +149,7 @@ std::optional<double> JsonReader::index_number(const char* key, std::size_t coun
                                                const char* of_what) {
     const auto number = whole_number(key, -kAnySize, kAnySize);
     if (!number || (*number >= 0.0 && *number < static_cast<double>(count))) return number;
-    errors_.error("E09", place(key),
+    errors_.error("E09", pointer(key),
                   fmt::format("{}, but there are {} {}", short_text(*number), count, of_what));
     return std::nullopt;
 }
@@ -163,7 +169,7 @@ std::optional<std::size_t> JsonReader::choice_index(const char* key,
     const std::string near = nearest_name(value->text, names);
     std::string message = fmt::format("unknown {} {}", what, in_quotes(value->text));
     if (!near.empty()) message += fmt::format("; did you mean \"{}\"?", near);
-    errors_.error("E08", place(key), message);
+    errors_.error("E08", pointer(key), message);
     return std::nullopt;
 }
 
@@ -182,10 +188,11 @@ std::optional<std::size_t> JsonReader::numbered_index(const char* key, const Num
     return index < names.names.size() ? std::size_t{NumberedNames::kMost} : index;
 }
 
-bool JsonReader::check_size(const std::string& where, const std::string& text,
+bool JsonReader::check_size(const JsonPlace& where, const std::string& text,
                             std::size_t max_bytes) {
     if (text.size() <= max_bytes) return true;
-    errors_.error("E10", where, fmt::format("{} bytes, limit {}", text.size(), max_bytes));
+    errors_.error("E10", where.pointer(),
+                  fmt::format("{} bytes, limit {}", text.size(), max_bytes));
     return false;
 }
 
@@ -199,7 +206,7 @@ const JsonValue* JsonReader::sized_list(const char* key, std::size_t low, std::s
     if (list == nullptr) return nullptr;
     const std::size_t size = list->values.size();
     if (size >= low && size <= high) return list;
-    errors_.error("E10", place(key),
+    errors_.error("E10", pointer(key),
                   size < low ? fmt::format("{} entries, at least {}", size, low)
                              : fmt::format("{} entries, limit {}", size, high));
     return nullptr;
@@ -209,9 +216,10 @@ void JsonReader::texts(const char* key, std::vector<std::string>& values, std::s
                        std::size_t max_bytes) {
     const JsonValue* list = sized_list(key, 0, max_count);
     if (list == nullptr) return;
+    const JsonPlace place_of_list = place(key);
     for (std::size_t i = 0; i < list->values.size(); ++i) {
         const JsonValue& each = list->values[i];
-        const std::string where = fmt::format("{}/{}", place(key), i);
+        const JsonPlace where = entry(place_of_list, i);
         if (each.kind != Kind::kText) {
             wrong_type(where, "a text", each);
         } else if (check_size(where, each.text, max_bytes)) {
@@ -240,7 +248,7 @@ void JsonReader::optional_bytes(const char* key, std::vector<std::uint8_t>& byte
         const JsonValue& each = list->values[i];
         const auto line = each.kind == Kind::kText ? parse_hex_pairs(each.text) : std::nullopt;
         if (!line || line->empty() || line->size() > line_bytes)
-            return wrong_type(fmt::format("{}/{}", place(key), i), expected.c_str(), each);
+            return wrong_type(entry(place(key), i), expected.c_str(), each);
         bytes.insert(bytes.end(), line->begin(), line->end());
     }
 }
@@ -252,7 +260,7 @@ void JsonReader::setting(const SettingField& field, ExperimentSettings& settings
     const SettingCheck check =
         assign(field, setting_value(*value, is_whole(field.at(settings))), settings);
     if (check.fault != SettingFault::kNone)
-        errors_.error(code_of(check.fault), place(field.key), check.message);
+        errors_.error(code_of(check.fault), pointer(field.key), check.message);
 }
 
 }  // namespace cambrian

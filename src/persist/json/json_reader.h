@@ -6,24 +6,34 @@
 #include "persist/json/json_value.h"
 #include "persist/text/setting_value.h"
 
-#include <fmt/core.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cambrian {
 
 struct FieldRule;
 
+// A place in a document. Only a message makes a text of it.
+struct JsonPlace {
+    const JsonPlace* parent = nullptr;                // none for the document
+    std::string_view key = {};                        // of a member
+    std::optional<std::size_t> index = std::nullopt;  // of an entry of a list, which has no key
+
+    std::string pointer() const;  // JSON pointer, RFC 6901
+};
+
 class JsonReader {
 public:
-    // The object and `errors` must outlive the reader. `pointer` is the JSON pointer of the object.
-    JsonReader(const JsonValue& object, std::string pointer, ErrorList& errors)
-        : object_(object), pointer_(std::move(pointer)), errors_(errors) {}
+    // The object, the places around it and `errors` must outlive the reader.
+    JsonReader(const JsonValue& object, const JsonPlace& place, ErrorList& errors)
+        : object_(object), place_(place), errors_(errors) {}
+    JsonReader(const JsonReader&) = delete;
+    JsonReader& operator=(const JsonReader&) = delete;
 
     // Warns of keys that no call has read (W01).
     void end();
@@ -31,13 +41,16 @@ public:
     // The name of the described type; only a schema uses it.
     void type(const char* /*name*/) const {}
     bool has(const char* key) const { return object_.find(key) != nullptr; }
-    void require(bool condition, const char* code, const char* key, const std::string& message) {
-        if (!condition) errors_.error(code, place(key), message);
+    // `message` returns the text of the error.
+    template <class Message>
+    void require(bool condition, const char* code, const char* key, Message message) {
+        if (!condition) errors_.error(code, pointer(key), message());
     }
 
     // Checks that the list has as many values as another field demands.
+    template <class Message>
     void require_count(const char* key, std::size_t found, std::size_t count, const char* code,
-                       const std::string& message) {
+                       Message message) {
         require(found == count, code, key, message);
     }
 
@@ -127,8 +140,9 @@ public:
         const JsonValue* value = sized_list(key, low, high);
         if (value == nullptr) return;
         items.resize(value->values.size());
+        const JsonPlace list = place(key);
         for (std::size_t i = 0; i < items.size(); ++i) {
-            read_object(value->values[i], fmt::format("{}/{}", place(key), i),
+            read_object(value->values[i], entry(list, i),
                         [&](JsonReader& reader) { describe(reader, items[i]); });
         }
     }
@@ -136,14 +150,18 @@ public:
 private:
     using Kind = JsonValue::Kind;
 
-    std::string place(std::string_view key) const { return fmt::format("{}/{}", pointer_, key); }
+    JsonPlace place(std::string_view key) const { return {.parent = &place_, .key = key}; }
+    static JsonPlace entry(const JsonPlace& list, std::size_t index) {
+        return {.parent = &list, .index = index};
+    }
+    std::string pointer(std::string_view key) const { return place(key).pointer(); }
     // Returns the value of a key if it exists and is of that kind; otherwise null, after an error.
     const JsonValue* member(const char* key, Kind kind, const char* expected);
     const JsonValue* number_member(const char* key, const char* expected);
     const JsonValue* sized_list(const char* key, std::size_t low, std::size_t high);
-    void wrong_type(const std::string& where, const char* expected, const JsonValue& found);
-    bool check_real(const std::string& where, const JsonValue& value, const FieldRule& rule);
-    bool check_size(const std::string& where, const std::string& text, std::size_t max_bytes);
+    void wrong_type(const JsonPlace& where, const char* expected, const JsonValue& found);
+    bool check_real(const JsonPlace& where, const JsonValue& value, const FieldRule& rule);
+    bool check_size(const JsonPlace& where, const std::string& text, std::size_t max_bytes);
     std::optional<double> whole_number(const char* key, double low, double high);
     std::optional<double> index_number(const char* key, std::size_t count, const char* of_what);
     std::optional<std::size_t> choice_index(const char* key, std::span<const std::string> names,
@@ -151,7 +169,7 @@ private:
     std::optional<std::size_t> numbered_index(const char* key, const NumberedNames& names,
                                               const char* what);
     template <class Describe>
-    void read_object(const JsonValue& value, const std::string& where, Describe describe) {
+    void read_object(const JsonValue& value, const JsonPlace& where, Describe describe) {
         if (value.kind != Kind::kObject) return wrong_type(where, "an object", value);
         JsonReader reader(value, where, errors_);
         describe(reader);
@@ -159,7 +177,7 @@ private:
     }
 
     const JsonValue& object_;
-    std::string pointer_;
+    JsonPlace place_;
     ErrorList& errors_;
     std::vector<std::string> known_;  // keys that were read
 };

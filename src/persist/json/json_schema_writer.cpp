@@ -111,8 +111,7 @@ void JsonSchemaWriter::put_described(const char* key, const std::string& meaning
     if (!optional) rules_.required.push_back(key);
 }
 
-void JsonSchemaWriter::require_count(const char* key, std::size_t /*found*/, std::size_t count,
-                                     const char* /*code*/, const std::string& /*message*/) {
+void JsonSchemaWriter::fix_count(const char* key, std::size_t count) {
     rules_.properties[key]["minItems"] = count;
     rules_.properties[key]["maxItems"] = count;
 }

@@ -58,12 +58,15 @@ public:
         optional_key_ = key;
         return true;
     }
-    void require(bool condition, const char* /*code*/, const char* /*key*/,
-                 const std::string& /*message*/) {
+    template <class Message>
+    void require(bool condition, const char* /*code*/, const char* /*key*/, Message /*message*/) {
         if (!condition) allowed_ = false;
     }
-    void require_count(const char* key, std::size_t found, std::size_t count, const char* code,
-                       const std::string& message);
+    template <class Message>
+    void require_count(const char* key, std::size_t /*found*/, std::size_t count,
+                       const char* /*code*/, Message /*message*/) {
+        fix_count(key, count);
+    }
 
     void real(const char* key, double value, const FieldRule& rule);
     void pair(const char* key, double first, const FieldRule& first_rule, double second,
@@ -168,6 +171,7 @@ private:
         std::vector<Rules> all_;
     };
 
+    void fix_count(const char* key, std::size_t count);
     JsonSchemaWriter(Library& library, std::size_t variant)
         : library_(library), variant_(variant) {}
 

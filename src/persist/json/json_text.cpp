@@ -28,7 +28,9 @@ void JsonText::begin_item(std::string_view key) {
         text_ += ' ';
     }
     level.empty = false;
-    if (!key.empty()) text_ += quoted_text(key) + (level.layout == JsonLayout::kDense ? ":" : ": ");
+    if (key.empty()) return;
+    append_quoted(text_, key);
+    text_ += level.layout == JsonLayout::kDense ? ":" : ": ";
 }
 
 void JsonText::item(std::string_view key, std::string_view value) {

@@ -30,13 +30,15 @@ public:
 
     void type(const char* /*name*/) const {}
     bool has(const char* /*key*/) const { return true; }
+    template <class Message>
     void require(bool condition, const char* /*code*/, const char* /*key*/,
-                 const std::string& /*message*/) const {
+                 Message /*message*/) const {
         CAMBRIAN_ASSERT(condition, "only valid documents are written");
     }
 
+    template <class Message>
     void require_count(const char* key, std::size_t found, std::size_t count, const char* code,
-                       const std::string& message) const {
+                       Message message) const {
         require(found == count, code, key, message);
     }
 

@@ -2,6 +2,7 @@
 
 #include "persist/text/digest_text.h"
 
+#include <algorithm>
 #include <array>
 
 namespace cambrian {
@@ -23,32 +24,46 @@ std::size_t utf8_length(std::string_view text) {
     return overlong || surrogate || beyond ? 0 : length;
 }
 
-void append_ascii(std::string& result, char letter) {
+// Whether JSON leaves the letter as it is.
+bool is_plain(char letter) {
     const auto code = static_cast<unsigned char>(letter);
+    return code >= 0x20 && code < 0x7f && letter != '"' && letter != '\\';
+}
+
+void append_escaped(std::string& result, char letter) {
     if (letter == '"' || letter == '\\') {
         result += '\\';
         result += letter;
-    } else if (code < 0x20 || code == 0x7f) {
-        result += "\\u00" + hex_pairs(std::array{std::uint8_t{code}});
     } else {
-        result += letter;
+        result += "\\u00" + hex_pairs(std::array{static_cast<std::uint8_t>(letter)});
     }
 }
 
 }  // namespace
 
-std::string quoted_text(std::string_view text) {
-    std::string result = "\"";
+void append_quoted(std::string& result, std::string_view text) {
+    result += '"';
     while (!text.empty()) {
+        const auto plain = static_cast<std::size_t>(
+            std::find_if_not(text.begin(), text.end(), is_plain) - text.begin());
+        result += text.substr(0, plain);
+        text.remove_prefix(plain);
+        if (text.empty()) break;
         const std::size_t length = utf8_length(text);
         if (length == 1) {
-            append_ascii(result, text.front());
+            append_escaped(result, text.front());
         } else {
             result += length == 0 ? "?" : text.substr(0, length);
         }
         text.remove_prefix(length == 0 ? 1 : length);
     }
-    return result + "\"";
+    result += '"';
+}
+
+std::string quoted_text(std::string_view text) {
+    std::string result;
+    append_quoted(result, text);
+    return result;
 }
 
 }  // namespace cambrian
