@@ -4,6 +4,9 @@
 
 namespace cambrian {
 
+inline constexpr double kLeastContactStep = 1e-4;  // s
+inline constexpr double kMostEvaluations = 1e6;    // per simulated second
+
 // Settings of the physics and the strength of motors, fixed during a trial. The constants of the
 // motor law strongly influence evolution (creature/README.md 6).
 struct SceneSettings {

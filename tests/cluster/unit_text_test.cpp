@@ -135,6 +135,26 @@ TEST_CASE("what a result depends on of the settings travels, and nothing else", 
     CHECK(judging_settings(settings, kinds())->key != judging->key);
 }
 
+TEST_CASE("settings of an accurate computation travel", "[cluster]") {
+    for (const GoalKind& goal : kinds().goals.all()) {
+        ExperimentSettings settings;
+        settings.goal = goal.id;
+        adopt_defaults(settings, goal);
+        for (const double contact_step : {1e-4, 1.0 / 60}) {
+            settings.world.scene.contact_step = contact_step;
+            for (const int trials : {1, 16}) {
+                settings.world.trial.trials = trials;
+                const ExperimentSettings accurate = accurate_settings(settings, kinds());
+                CHECK(accurate.world.scene.max_evaluations > 4e5);
+                const Result<JudgingSettings> judging = judging_settings(accurate, kinds());
+                CAPTURE(goal.id, contact_step, trials);
+                REQUIRE(judging);
+                CHECK(parse_settings(judging->text, "sent", kinds())->world == accurate.world);
+            }
+        }
+    }
+}
+
 TEST_CASE("the opponents of a contest travel with the settings", "[cluster]") {
     ExperimentSettings settings;
     settings.goal = "competition";

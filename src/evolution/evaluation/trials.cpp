@@ -2,6 +2,7 @@
 
 #include "core/hash.h"
 #include "core/random.h"
+#include "evolution/settings/trial_work.h"
 #include "math/angle.h"
 
 #include <algorithm>
@@ -126,8 +127,9 @@ ExperimentSettings accurate_settings(const ExperimentSettings& settings,
     SceneSettings& scene = accurate.world.scene;
     scene.integrator = kinds.creature.scene.accurate_integrator;
     scene.tolerance = std::min(scene.tolerance, kAccurateTolerance);
-    scene.contact_step *= kAccurateContactStep;
-    scene.max_evaluations *= kAccurateWork;
+    scene.contact_step = std::max(kAccurateContactStep * scene.contact_step, kLeastContactStep);
+    scene.max_evaluations = std::min({kAccurateWork * scene.max_evaluations, kMostEvaluations,
+                                      most_evaluations(accurate.world.trial)});
     return accurate;
 }
 

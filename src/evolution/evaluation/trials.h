@@ -38,8 +38,8 @@ EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
 double held_out_score(const GenomePtr& genome, const ExperimentSettings& settings,
                       const EvolutionKinds& kinds, const std::stop_token& stop = {});
 
-// Returns the settings with an accurate integrator, a tolerance of 1e-6 and a quarter of the
-// contact step.
+// Returns the settings with an accurate integrator, a tolerance of 1e-6, a quarter of the contact
+// step and a hundred times the work, as far as settings may have these values.
 ExperimentSettings accurate_settings(const ExperimentSettings& settings,
                                      const EvolutionKinds& kinds);
 

@@ -61,13 +61,13 @@ void add_simulation(std::vector<SettingField>& fields, const EvolutionKinds& kin
         .logarithmic = true;
     table
         .number(
-            "contact-step", "Contact step", "s", Range{1e-4, 1.0 / 60},
+            "contact-step", "Contact step", "s", Range{kLeastContactStep, 1.0 / 60},
             "The longest time step while parts are in contact or joints are at their limits.",
             [](Settings & s) -> auto& { return s.world.scene.contact_step; })
         .logarithmic = true;
     table
         .number(
-            "max-evaluations", "Work limit", "evaluations/s", Range{1e3, 1e6},
+            "max-evaluations", "Work limit", "evaluations/s", Range{1e3, kMostEvaluations},
             "The largest number of evaluations of the accelerations for each simulated second. A "
             "trial that needs more is stopped.",
             [](Settings & s) -> auto& { return s.world.scene.max_evaluations; })

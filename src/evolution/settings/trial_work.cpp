@@ -5,7 +5,20 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 namespace cambrian {
+namespace {
+
+double simulated_time(const TrialSettings& trial) {
+    return trial.trials * (trial.duration + trial.settle_limit);
+}
+
+}  // namespace
+
+double most_evaluations(const TrialSettings& trial) {
+    return std::floor(kMostTrialWork / simulated_time(trial));
+}
 
 std::optional<std::string> trial_excess(const TrialWorld& world) {
     const TrialSettings& trial = world.trial;
@@ -16,8 +29,7 @@ std::optional<std::string> trial_excess(const TrialWorld& world) {
     if (!(time <= kMostTrialTime))
         return fmt::format("{}, {} s in all; limit {} s", trials, short_text(time),
                            short_text(kMostTrialTime));
-    const double work =
-        trial.trials * (trial.duration + trial.settle_limit) * world.scene.max_evaluations;
+    const double work = simulated_time(trial) * world.scene.max_evaluations;
     if (!(work <= kMostTrialWork))
         return fmt::format("{} and {} s of settling, at up to {} evaluations/s {} in all; limit {}",
                            trials, short_text(trial.settle_limit),
