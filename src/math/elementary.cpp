@@ -38,6 +38,23 @@ double arc_tangent_unit(double t) {
     return turned ? kPi / 6 + angle : angle;
 }
 
+// Returns sine(x + quarters * pi/2), with the bits of sine_cosine_reduced(), from one polynomial.
+double sine_of_quarters(double x, std::uint64_t quarters) {
+    using namespace elementary_detail;
+    if (!(std::fabs(x) <= kReducedRange)) {
+        if (!std::isfinite(x)) return kNaN;
+        x = std::fmod(x, kTwoPi);  // exact by the standard
+    }
+    const auto [rest, found] = reduced_angle(x);
+    const std::uint64_t quadrant = found + quarters;
+    const std::uint64_t odd = quadrant & 1;
+    const double z = rest * rest;
+    const double of_tail = tail(kTails[odd], z);
+    const double size = odd != 0 ? cosine_of(z, of_tail) : sine_of(rest, z, of_tail);
+    const std::uint64_t sign = (quadrant & 2) << 62;
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(size) ^ sign);
+}
+
 }  // namespace
 
 SineCosine sine_cosine(double x) {
@@ -47,10 +64,10 @@ SineCosine sine_cosine(double x) {
 }
 
 double sine(double x) {
-    return sine_cosine(x).sine;
+    return sine_of_quarters(x, 0);
 }
 double cosine(double x) {
-    return sine_cosine(x).cosine;
+    return sine_of_quarters(x, 1);
 }
 
 double arc_tangent(double x) {

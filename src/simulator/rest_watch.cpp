@@ -14,7 +14,8 @@ constexpr double kLeastChange = 1e-6;     // per tick, of targets and memory
 bool body_rests(const PhysicsScene& scene) {
     for (std::size_t part = 0; part < scene.part_count(); ++part) {
         const Twist twist = scene.part_twist(part);
-        if (twist.linear.norm() > kSlowestMotion || twist.angular.norm() > kSlowestSpin)
+        if (twist.linear.squaredNorm() > kSlowestMotion * kSlowestMotion ||
+            twist.angular.squaredNorm() > kSlowestSpin * kSlowestSpin)
             return false;
     }
     return true;

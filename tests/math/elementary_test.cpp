@@ -73,6 +73,21 @@ TEST_CASE("sine and cosine are exact to 2e-16 up to a million radians", "[math][
     }
 }
 
+TEST_CASE("sine and cosine alone have the bits of both together", "[math][elementary]") {
+    RandomStream random(12);
+    for (const double reach : {1e-300, 1e-8, 1.0, 4.0, 1e3, 1e6, 1e9, 1e300}) {
+        for (int i = 0; i < 20'000; ++i) {
+            const double x = random.uniform(-reach, reach);
+            const SineCosine both = sine_cosine(x);
+            if (sine(x) != both.sine || cosine(x) != both.cosine) FAIL("at " << x);
+        }
+    }
+    for (const double x : {0.0, -0.0}) {
+        CHECK(std::signbit(sine(x)) == std::signbit(sine_cosine(x).sine));
+        CHECK(cosine(x) == 1.0);
+    }
+}
+
 TEST_CASE("sine and cosine of huge angles stay on the unit circle", "[math][elementary]") {
     for (double x = 1e6; x < 1e300; x *= 37.0) {
         const SineCosine both = sine_cosine(x);
