@@ -9,7 +9,7 @@ constexpr double kMemory = 200.0;  // number of creatures over which old measure
 constexpr double kLeastSeconds = 0.01;
 constexpr double kMostSeconds = 2.0;
 constexpr double kBusyPace = 2.0;  // of own cores that have much else to do
-constexpr double kRounds = 4.0;  // units per core if all were as long as the next
+constexpr double kRounds = 4.0;    // units per core if all were as long as the next
 
 double median_work(std::span<const EvaluationRequest> requests, double fallback) {
     std::vector<double> known;
@@ -53,9 +53,9 @@ double unit_seconds(const LeftWork& left, const Cores& cores) {
     // Runs at once share the own cores, so one creature on these may take as long as all others.
     if (left.own_pace > kBusyPace) return std::min(guided, left.open * remote / (own + remote));
     // With this much, (sent + even) / remote + latency = (open - even) own_pace / own.
-    const double even = (left.open * left.own_pace * remote - left.sent * own -
-                         left.latency * own * remote) /
-                        (own + left.own_pace * remote);
+    const double even =
+        (left.open * left.own_pace * remote - left.sent * own - left.latency * own * remote) /
+        (own + left.own_pace * remote);
     return std::min(guided, even);
 }
 

@@ -17,7 +17,8 @@ inline constexpr double kMostTrialWork = 2e8;
 // Returns which limit the trials exceed and by how much; nothing if they keep both.
 std::optional<std::string> trial_excess(const TrialWorld& world);
 
-// Returns the largest whole number of evaluations per simulated second that keeps the limit on work.
+// Returns the largest whole number of evaluations per simulated second that keeps the limit on
+// work.
 double most_evaluations(const TrialSettings& trial);
 
 }  // namespace cambrian
