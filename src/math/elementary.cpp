@@ -38,14 +38,16 @@ double arc_tangent_unit(double t) {
     return turned ? kPi / 6 + angle : angle;
 }
 
+// Returns the same angle in the range of sine_cosine_reduced(), or NaN for infinities.
+double angle_in_range(double x) {
+    if (std::fabs(x) <= kReducedRange) return x;
+    return std::isfinite(x) ? std::fmod(x, kTwoPi) : kNaN;  // fmod is exact by the standard
+}
+
 // Returns sine(x + quarters * pi/2), with the bits of sine_cosine_reduced(), from one polynomial.
 double sine_of_quarters(double x, std::uint64_t quarters) {
     using namespace elementary_detail;
-    if (!(std::fabs(x) <= kReducedRange)) {
-        if (!std::isfinite(x)) return kNaN;
-        x = std::fmod(x, kTwoPi);  // exact by the standard
-    }
-    const auto [rest, found] = reduced_angle(x);
+    const auto [rest, found] = reduced_angle(angle_in_range(x));
     const std::uint64_t quadrant = found + quarters;
     const std::uint64_t odd = quadrant & 1;
     const double z = rest * rest;
@@ -58,9 +60,7 @@ double sine_of_quarters(double x, std::uint64_t quarters) {
 }  // namespace
 
 SineCosine sine_cosine(double x) {
-    if (std::fabs(x) <= kReducedRange) return sine_cosine_reduced(x);
-    if (!std::isfinite(x)) return {kNaN, kNaN};
-    return sine_cosine_reduced(std::fmod(x, kTwoPi));  // fmod is exact by the standard
+    return sine_cosine_reduced(angle_in_range(x));
 }
 
 double sine(double x) {

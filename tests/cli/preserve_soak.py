@@ -75,7 +75,9 @@ def print_row(seed, line, sums, memory):
 
 def command_of(seed, options, folder):
     """Returns the command line that begins a world or goes on with one that is kept."""
-    world = pathlib.Path(options.worlds or folder) / f"seed_{seed}.cambrian"
+    worlds = pathlib.Path(options.worlds or folder)
+    worlds.mkdir(parents=True, exist_ok=True)
+    world = worlds / f"seed_{seed}.cambrian"
     command = [PROGRAM, "preserve", "--json", "--seconds", str(3600 * options.hours),
                "--threads", str(options.threads)]
     if world.exists():
@@ -104,7 +106,7 @@ def run(seed, options):
             clock.daemon = True
             clock.start()
         total, memory, sums, line = None, [], Sums(), None
-        every = options.rows_every or max(ROW, 360 * options.hours)
+        every = max(1, round((options.rows_every or 360 * options.hours) / ROW))
         for text in process.stdout:
             line = json.loads(text, parse_float=decimal.Decimal)
             memory.append(resident_memory(process))
@@ -112,13 +114,13 @@ def run(seed, options):
             total = total or energy
             assert energy == total, f"seed {seed}, {line['time']} s: {energy} J, not {total} J"
             sums.add(line)
-            if len(memory) % round(every / ROW) == 0:
+            if len(memory) % every == 0:
                 print_row(seed, line, sums, memory[-1])
                 sums = Sums()
         assert process.wait() == 0, f"seed {seed}: the program ended by itself"
         print_times(seed, len(memory), begun)
-        assert options.clock_hours or line["time"] >= 3600 * options.hours, (
-            f"seed {seed}: it ended too early")
+        asked = int(3600 * options.hours / ROW)
+        assert options.clock_hours or line["time"] >= ROW * asked, f"seed {seed}: it ended too early"
         print(f"# seed {seed}: {total} J at each of {len(memory)} looks", flush=True)
         return line, memory
 

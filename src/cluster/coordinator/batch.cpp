@@ -48,12 +48,14 @@ std::vector<EvaluationRequest> Batch::requests_of(const std::vector<std::size_t>
 }
 
 std::optional<Batch::HomeTask> Batch::next_home_task(double now, const Cores& cores) {
-    if (const auto check = answers_.next_check()) return HomeTask{.creatures = {*check}};
+    if (auto check = check_task()) return check;
     if (const auto open = ledger_.take_for_home()) return HomeTask{.creatures = {*open}};
     // If no worker can be reached, every unit is late.
     const double moment = cores.remote == 0 ? std::max(now, ledger_.next_due().value_or(now)) : now;
     auto late = ledger_.take_late(moment, cores.own);
-    if (!late) return early_check();
+    // The leader so far is likely to lead at the end, too, when its check would keep all cores
+    // waiting.
+    if (!late) return answers_.check_leader() ? check_task() : std::nullopt;
     if (late->first) ++memory_.counts.overdue_at_home;
     HomeTask task{.creatures = std::move(late->creatures), .late = true};
     if (now > late->published + kSilentFactor * (late->due - late->published) + kSilentGrace)
@@ -61,8 +63,7 @@ std::optional<Batch::HomeTask> Batch::next_home_task(double now, const Cores& co
     return task;
 }
 
-std::optional<Batch::HomeTask> Batch::early_check() {
-    if (!answers_.check_leader()) return std::nullopt;
+std::optional<Batch::HomeTask> Batch::check_task() {
     const auto check = answers_.next_check();
     if (!check) return std::nullopt;
     return HomeTask{.creatures = {*check}};

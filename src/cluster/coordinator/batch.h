@@ -87,9 +87,7 @@ public:
     double core_seconds() const { return core_seconds_; }  // time that its results took
 
 private:
-    // The check of the creature that leads so far. It is likely to lead at the end, too, when its
-    // check would keep all cores waiting.
-    std::optional<HomeTask> early_check();
+    std::optional<HomeTask> check_task();
     bool is_answer(const UnitResult& result) const;
     void take_claim(const UnitResult& unit, const SlotResult& each, double least);
     void compare(const ResultComparison& comparison);

@@ -45,13 +45,13 @@ void CostModel::learn(std::size_t creatures, std::uint64_t work, double seconds)
     seconds_ = kept * seconds_ + seconds;
 }
 
-double unit_seconds(const LeftWork& left, const Cores& cores) {
+double unit_seconds(LeftWork left, const Cores& cores) {
     const auto own = static_cast<double>(cores.own);
     const auto remote = static_cast<double>(cores.remote);
     const double guided =
         std::clamp(left.open / (own + remote) / kRounds, kLeastSeconds, kMostSeconds);
     // Runs at once share the own cores, so one creature on these may take as long as all others.
-    if (left.own_pace > kBusyPace) return std::min(guided, left.open * remote / (own + remote));
+    if (left.own_pace > kBusyPace) left = {.open = left.open};
     // With this much, (sent + even) / remote + latency = (open - even) own_pace / own.
     const double even =
         (left.open * left.own_pace * remote - left.sent * own - left.latency * own * remote) /

@@ -47,7 +47,8 @@ struct LeftWork {
 // Returns the work of the next unit, in s, at most 2 s; 0 or less if the workers have their share.
 // It is a share of the open work, so the last units are short and all cores end at nearly the same
 // time (guided self-scheduling, Polychronopoulos and Kuck 1987). It is 10 ms or more, unless the
-// workers would then end later than the cores of this machine.
-double unit_seconds(const LeftWork& left, const Cores& cores);
+// workers would then end later than the cores of this machine. If these are busy with much else,
+// only the numbers of cores divide the open work.
+double unit_seconds(LeftWork left, const Cores& cores);
 
 }  // namespace cambrian
