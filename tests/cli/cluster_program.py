@@ -81,16 +81,23 @@ class ClusterTest(ProgramTest):
             time.sleep(0.02)
         self.fail(f"'{text}' was not said: {process.log.read_text()}")
 
-    def wait_for_results(self, server, count=1, seconds=60):
+    def listen(self, client, heard, count, seconds=60):
+        """Returns what was heard, at least `count` times, of the messages that arrive."""
+        found = []
+        end = time.monotonic() + seconds
+        while len(found) < count and time.monotonic() < end:
+            client.flush()
+            found += heard()
+            time.sleep(0.02)
+        client.close()
+        self.assertGreaterEqual(len(found), count, "too few messages arrived")
+        return found
+
+    def wait_for_results(self, server, count=1):
         """Waits until workers have sent so many more results."""
         client = server.client()
         client.subscribe("cambrian.result.>")
-        end = time.monotonic() + seconds
-        while count > 0 and time.monotonic() < end:
-            count -= len(client.flush()[1])
-            time.sleep(0.02)
-        client.close()
-        self.assertLessEqual(count, 0, "no worker sent a result")
+        self.listen(client, lambda: client.messages, count)
 
     def interrupt(self, process, seconds=30):
         process.send_signal(signal.SIGINT)

@@ -187,18 +187,6 @@ class Runs(ClusterTest):
         inboxes = {subject.rsplit(".", 1)[0] for subject in expected}
         self.assertEqual(len(inboxes), 2, inboxes)
 
-    def listen(self, client, heard, count):
-        """Returns what was heard, at least `count` times, of the messages that arrive."""
-        found = []
-        end = time.monotonic() + 60
-        while len(found) < count and time.monotonic() < end:
-            client.flush()
-            found += heard()
-            time.sleep(0.02)
-        client.close()
-        self.assertGreaterEqual(len(found), count)
-        return found
-
     def test_a_run_that_is_interrupted_leaves_nothing_behind(self):
         server = self.start_server()
         self.start_worker(server.url)
