@@ -12,11 +12,12 @@ from program import CAMBRIAN, FERTILE, ROOT, SMALL, ProgramTest
 
 POND = """
 [preserve]
-width = 12
-height = 10
-founders = 12
+width = 8
+height = 6
+founders = 8
 energy-density = 100
 """
+POND_ENERGY = 8 * 6 * 100  # J
 CROWD = """
 [preserve]
 width = 40
@@ -54,7 +55,7 @@ class Preserve(ProgramTest):
         self.assertNotEqual(one, self.rows("pond.toml", "--founders", *SWIMMERS, "--seconds", 60,
                                            "--seed", 2))
         for row in one:
-            self.assertAlmostEqual(sum(row["energy"].values()), 100 * 12 * 10, places=5)
+            self.assertAlmostEqual(sum(row["energy"].values()), POND_ENERGY, places=5)
 
     def test_a_hundred_creatures_are_the_same_on_any_number_of_threads(self):
         self.write("crowd.toml", CROWD)
@@ -74,7 +75,7 @@ class Preserve(ProgramTest):
         self.assertIn("replay verified, 3 snapshots up to 120 s",
                       self.run_well("verify", "a.cambrian").stdout)
         for row in uncut:
-            self.assertAlmostEqual(sum(row["energy"].values()), 100 * 12 * 10, places=5)
+            self.assertAlmostEqual(sum(row["energy"].values()), POND_ENERGY, places=5)
         self.write("torus.toml", POND + 'edges = "wraps"\n')
         self.assert_refused(self.run_program("preserve", "torus.toml"),
                             '[preserve] edges: unknown "wraps"; did you mean "wrap"?')
@@ -101,7 +102,7 @@ class Preserve(ProgramTest):
         self.run_well("preserve", "pond.toml", "-f", *SWIMMERS, "--seconds", 1, "-o", "a.cambrian")
         for name in ("b.cambrian", "c.cambrian"):
             shutil.copy(self.folder / "a.cambrian", self.folder / name)
-        laws = ["--law", "environment.viscosity-linear=0.6", "--law", "preserve.growth-time=40"]
+        laws = ["--law", "environment.viscosity-linear=0.6", "--law", "preserve.growth-time=400"]
         uncut = self.rows("-r", "a.cambrian", *laws, "--seconds", 120)
         unchanged = self.rows("-r", "b.cambrian", "--seconds", 60)
         self.assertNotEqual(uncut[:len(unchanged)], unchanged)
