@@ -14,9 +14,9 @@ if(CAMBRIAN_SANITIZE)
   string(REGEX MATCH "fuzzer" fuzzing "${CAMBRIAN_SANITIZE}")
   target_compile_options(cambrian_options INTERFACE
     -fsanitize=${CAMBRIAN_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
-    # The address sanitizer stops at null pointers and beyond the ends of objects itself, and no pointer is
-    # cast to a type of stricter alignment. With these checks, compiling takes half as long again.
-    -fno-sanitize=null,alignment,object-size
+    # The address sanitizer itself stops at what is beyond an object; this check takes a fifth of the time
+    # to compile.
+    -fno-sanitize=object-size
     -g1  # lines of a report; more takes a third of the time to compile
     $<IF:$<BOOL:${fuzzing}>,-O2,-O1>)
   target_link_options(cambrian_options INTERFACE -fsanitize=${CAMBRIAN_SANITIZE})
