@@ -97,12 +97,9 @@ class Soak(ClusterTest):
             changes += 1
             if changes % CHANGES == 0:
                 samples.append(self.quiet_memory(server.process, profiles, long, steady))
-        for each in (run, long):
-            self.interrupt(each)
+        self.interrupt(run)
         self.report(samples, finished, time.monotonic() - begun)
-        self.finish(self.evolve("alone", "--generations", COMPARED, settings=endless))
-        self.assertEqual(digests(self.folder / "long.cambrian")[:COMPARED],
-                         digests(self.folder / "alone.cambrian"))
+        self.end_and_compare(long, "long", endless, COMPARED)
         time.sleep(1)
         client = server.client()
         self.assertEqual(client.messages_in("cambrian-WORK"), 0)
