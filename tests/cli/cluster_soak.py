@@ -51,13 +51,13 @@ def free_port():
         return it.getsockname()[1]
 
 
-def heap_of(port):
-    """Returns the numbers of bytes of a server's heap after garbage is collected, by their names in
-    Go's runtime.MemStats."""
+def memory_of_server(port):
+    """Returns the memory that a server uses by its own account, after garbage is collected: what
+    lives in its heap, and what is not heap (Go's runtime.MemStats)."""
     url = f"http://{HOST}:{port}/debug/pprof/heap?gc=1&debug=1"
     with urllib.request.urlopen(url, timeout=30) as answer:
-        return {name: int(count) for name, count in
-                re.findall(r"# (Heap\w+) = (\d+)", answer.read().decode())}
+        found = dict(re.findall(r"# (\w+) = (\d+)", answer.read().decode()))
+    return int(found["Sys"]) - int(found["HeapSys"]) + int(found["HeapAlloc"])
 
 
 class Soak(ClusterTest):
@@ -96,7 +96,7 @@ class Soak(ClusterTest):
                 self.assertIsNone(each.poll(), f"ended by itself: {each.log.read_text()}")
             changes += 1
             if changes % CHANGES == 0:
-                samples.append(self.quiet_memory(server.process, profiles, long, steady))
+                samples.append(self.quiet_memory(profiles, long, steady))
         self.interrupt(run)
         self.report(samples, finished, time.monotonic() - begun)
         self.end_and_compare(long, "long", endless, COMPARED)
@@ -115,15 +115,12 @@ class Soak(ClusterTest):
         for process in self.processes:
             process.send_signal(what)
 
-    def quiet_memory(self, server, profiles, *others):
+    def quiet_memory(self, profiles, *processes):
         """Holds all programs but the server until it needs no memory for what they send. Returns the
-        memory that it and the others use."""
+        memory of the server and of these processes."""
         self.signal_all(signal.SIGSTOP)
         time.sleep(FORGETS)
-        heap = heap_of(profiles)
-        pages = heap["HeapSys"] - heap["HeapReleased"]
-        memory = [self.resident_memory(server) - pages + heap["HeapAlloc"],
-                  *map(self.resident_memory, others)]
+        memory = [memory_of_server(profiles), *map(self.resident_memory, processes)]
         self.signal_all(signal.SIGCONT)
         return memory
 
