@@ -1,6 +1,7 @@
 #include "studio/widgets/markdown_view.h"
 
 #include "studio/look/ui_context.h"
+#include "studio/widgets/column_widths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,19 +109,38 @@ void draw_code(const std::string& code) {
     ImGui::Dummy(size);
 }
 
-// Returns a column's preferred width, in pixels.
-float wanted_width(const MarkdownBlock& table, std::size_t column) {
-    float widest = px(24);
-    for (const auto& row : table.rows) {
-        if (column >= row.size()) continue;
-        float width = px(10);
-        for (const TextSpan& span : row[column]) {
-            ImFont* font = font_of(span.look);
-            width += font->CalcTextSizeA(font->FontSize, INFINITY, 0.0F, span.text.c_str()).x;
-        }
-        widest = std::max(widest, width);
+float text_width(const TextSpan& span, const std::string& text) {
+    ImFont* font = font_of(span.look);
+    return font->CalcTextSizeA(font->FontSize, INFINITY, 0.0F, text.c_str()).x;
+}
+
+float longest_word(const TextSpan& span) {
+    float longest = 0.0F;
+    std::size_t start = 0;
+    while (start < span.text.size()) {
+        const std::size_t end = std::min(span.text.find(' ', start), span.text.size());
+        longest = std::max(longest, text_width(span, span.text.substr(start, end - start)));
+        start = end + 1;
     }
-    return std::min(widest, 0.6F * ImGui::GetContentRegionAvail().x);
+    return longest;
+}
+
+// Returns the widths of a column's content, with the space between columns.
+ColumnContent content_of(const std::vector<std::vector<SpanLine>>& rows, std::size_t column) {
+    ColumnContent content;
+    for (const auto& row : rows) {
+        if (column >= row.size()) continue;
+        float width = 0.0F;
+        for (const TextSpan& span : row[column]) {
+            width += text_width(span, span.text);
+            content.longest_word = std::max(content.longest_word, longest_word(span));
+        }
+        content.longest_text = std::max(content.longest_text, width);
+    }
+    const float space = px(14);
+    content.longest_word += space;
+    content.longest_text += space;
+    return content;
 }
 
 // Makes the words of a table's header bold.
@@ -133,18 +153,20 @@ void embolden(std::vector<SpanLine>& cells) {
 
 std::string draw_table(const MarkdownBlock& table) {
     std::string pressed;
-    const std::size_t columns = table.rows.front().size();
+    auto rows = table.rows;
+    embolden(rows.front());
+    std::vector<ColumnContent> contents;
+    for (std::size_t column = 0; column < rows.front().size(); ++column)
+        contents.push_back(content_of(rows, column));
     constexpr ImGuiTableFlags flags =
         ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH;
-    if (columns == 0 || !ImGui::BeginTable("table", static_cast<int>(columns), flags))
+    if (contents.empty() || !ImGui::BeginTable("table", static_cast<int>(contents.size()), flags))
         return pressed;
-    for (std::size_t column = 0; column < columns; ++column)
-        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch,
-                                wanted_width(table, column));
-    for (auto row : table.rows) {
-        if (ImGui::TableGetRowIndex() < 0) embolden(row);
+    for (const float width : column_widths(contents, ImGui::GetContentRegionAvail().x))
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, width);
+    for (const auto& row : rows) {
         ImGui::TableNextRow();
-        for (std::size_t column = 0; column < std::min(columns, row.size()); ++column) {
+        for (std::size_t column = 0; column < std::min(contents.size(), row.size()); ++column) {
             ImGui::TableSetColumnIndex(static_cast<int>(column));
             const std::string link = draw_line(row[column], ImGui::GetContentRegionAvail().x);
             if (!link.empty()) pressed = link;
