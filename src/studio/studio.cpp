@@ -80,7 +80,8 @@ private:
 
     static MachineOptions machines(const StudioOptions& options) {
         MachineOptions machines = options.machines;
-        if (machines.workers == 0) machines.workers = ThreadPool::default_workers();
+        std::size_t& workers = machines.threads.workers;
+        if (workers == 0) workers = ThreadPool::default_workers();
         return machines;
     }
 

@@ -43,9 +43,9 @@ StudioController::StudioController(const Remembered& remembered, const Evolution
       machines_(services_.shared, experiment_, machines),
       experiment_(services_.shared, view_, viewer_, remembered.settings, machines_.own_cores()),
       generations_(services_.shared, view_, viewer_, experiment_),
-      picking_(services_.shared, view_, viewer_, experiment_, machines.workers),
-      preserve_(services_.shared, {viewer_, experiment_, generations_, picking_}, machines.workers),
-      comparison_(services_.shared, experiment_, machines.workers),
+      picking_(services_.shared, view_, viewer_, experiment_, machines.threads),
+      preserve_(services_.shared, {viewer_, experiment_, generations_, picking_}, machines.threads),
+      comparison_(services_.shared, experiment_, machines.threads),
       files_(services_.shared, view_, {viewer_, experiment_, generations_, picking_, preserve_}),
       memory_(
           {view_, experiment_.open().editor().draft(), remembered.experiment, remembered.cluster}) {

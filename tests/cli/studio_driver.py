@@ -87,15 +87,16 @@ class StudioTest(ProgramTest):
         self.addCleanup(display.close)
         return display
 
-    def start(self, display, *arguments, first_time=False):
+    def start(self, display, *arguments, first_time=False, priority="normal"):
         """Starts the studio and waits for its first frame. Its tour counts as taken unless this is
-        the first time."""
+        the first time. Its computations have normal priority, so that other tests do not starve
+        them while the window draws."""
         view = self.folder / "state" / "view.conf"
         if not first_time and not view.exists():
             view.parent.mkdir(exist_ok=True)
             view.write_text("tour-taken = yes\n")
         self.open_window(display, "studio", "--state-dir", self.folder / "state", "--threads", "1",
-                         *arguments)
+                         "--priority", priority, *arguments)
 
     def open_window(self, display, subcommand, *arguments):
         """Starts a subcommand that opens a window and waits for its first frame."""
@@ -121,6 +122,11 @@ class StudioTest(ProgramTest):
         if studio.poll() is None:
             studio.kill()
         studio.wait(PATIENCE)
+
+    def schedulers(self):
+        """Returns the scheduling policies of the studio's threads."""
+        return {os.sched_getscheduler(int(thread.name))
+                for thread in pathlib.Path(f"/proc/{self.studio.pid}/task").iterdir()}
 
     def events(self):
         if self.log.exists():

@@ -28,16 +28,20 @@ class StudioWindow(StudioTest):
         _, after = self.wait_for("generation", number=1)
         self.press("space")
         self.wait_for("paused", after=after)
+        self.assertNotIn(os.SCHED_IDLE, self.schedulers())
         self.assert_painted(display.picture("evolved-1280x800.png"))
         saved = self.save_as("ctrl+s", "kept")
         self.assertEqual(saved, self.folder / "kept.creature.json")
         self.quit()
         self.run_well("verify", "kept.creature.json")
 
-        self.start(display, "kept.creature.json")
+        self.start(display, "kept.creature.json", priority="background")
         loaded, _ = self.wait_for("loaded")
         self.assertIn("kept.creature.json", loaded["path"])
         self.wait_for("shown")
+        self.press("g")
+        self.wait_for("generation", number=0)
+        self.assertIn(os.SCHED_IDLE, self.schedulers())
         self.quit()
 
     def test_a_gene_is_edited_undone_made_again_and_saved(self):

@@ -32,7 +32,7 @@ bool answered(const PreservePicture& picture, std::uint64_t id) {
 }
 
 TEST_CASE("a preserve on its thread plays, pauses, steps and obeys", "[preserve][threads]") {
-    PreserveEngine engine({begun(small_world(), {eater(0.0)}), nullptr, {}}, 2);
+    PreserveEngine engine({begun(small_world(), {eater(0.0)}), nullptr, {}}, {.workers = 2});
     const auto first = engine.latest();
     REQUIRE(first->residents.size() == 10);
     CHECK_FALSE(first->playing);
@@ -70,7 +70,7 @@ TEST_CASE("a preserve on its thread plays, pauses, steps and obeys", "[preserve]
 
 TEST_CASE("pictures have the signals of the brain that is watched, while it lives",
           "[preserve][threads]") {
-    PreserveEngine engine({begun(small_world(), {eater(0.0)}), nullptr, {}}, 1);
+    PreserveEngine engine({begun(small_world(), {eater(0.0)}), nullptr, {}}, {.workers = 1});
     CHECK(engine.latest()->brain.creature == 0);
     engine.send(WatchBrain{3});
     const auto watched =
@@ -95,7 +95,7 @@ TEST_CASE("pictures have the signals of the brain that is watched, while it live
 }
 
 TEST_CASE("a preserve goes at the pace that is asked for", "[preserve][threads]") {
-    PreserveEngine engine({begun(small_world(), {eater(0.0)}), nullptr, {}}, 1);
+    PreserveEngine engine({begun(small_world(), {eater(0.0)}), nullptr, {}}, {.workers = 1});
     engine.send(PacePreserve{0.1});
     engine.send(PlayPreserve{true});
     const Stopwatch watch;
@@ -113,7 +113,7 @@ TEST_CASE("a preserve that is closed goes on where it was left", "[preserve][thr
     REQUIRE(file);
     std::uint64_t tick = 0;
     {
-        PreserveEngine engine({std::move(preserve), *std::move(file), {}}, 1);
+        PreserveEngine engine({std::move(preserve), *std::move(file), {}}, {.workers = 1});
         engine.send(PacePreserve{kFullSpeed});
         engine.send(PlayPreserve{true});
         picture_with(engine, [](const auto& picture) { return picture.tick > 100; });

@@ -47,7 +47,8 @@ TEST_CASE("a preserve that is closed keeps its pins", "[preserve][pins][threads]
     const auto path = folder.path() / "pond.cambrian";
     KeptWorld world = kept_in(path, small_world());
     {
-        PreserveEngine engine({std::move(world.preserve), std::move(world.file), {}}, 1);
+        PreserveEngine engine({std::move(world.preserve), std::move(world.file), {}},
+                              {.workers = 1});
         CHECK(engine.send(KeepPins{{{2, 4}, false}}));
         CHECK(engine.send(KeepPreserve{}));
         wait_for(engine, [](const PreservePicture& picture) { return !picture.news.empty(); });

@@ -25,7 +25,8 @@ inline ExperimentSettings small_experiment() {
 
 class StudioRun {
 public:
-    explicit StudioRun(MachineOptions machines = {.workers = 2}, ClusterMemory cluster = {})
+    explicit StudioRun(MachineOptions machines = {.threads = {.workers = 2}},
+                       ClusterMemory cluster = {})
         : studio({{}, small_experiment(), {}, std::move(cluster)}, kinds(), machines,
                  folder.path() / "log") {}
 

@@ -3,6 +3,7 @@
 #include "app/cluster/cluster_options.h"
 #include "app/command_line/number_checks.h"
 #include "app/command_line/option_types.h"
+#include "app/command_line/priority_option.h"
 #include "app/command_line/window_options.h"
 #include "app/evolve/without_window.h"
 #include "app/process/assets_folder.h"
@@ -32,12 +33,12 @@ std::filesystem::path usual_state_dir() {
 ClusterJoining joining(const EvolutionKinds& kinds, const std::filesystem::path& state_dir) {
     const std::filesystem::path experiment =
         state_dir.empty() ? std::filesystem::path() : own_experiment(state_dir);
-    return [&kinds, experiment](const ClusterAddress& address,
-                                std::size_t threads) -> Result<std::shared_ptr<EvaluationBackend>> {
-        auto backend = join_cluster(kinds, address,
-                                    {.threads = threads,
-                                     .priority = ThreadPriority::kBackground,
-                                     .experiment = experiment});
+    return [&kinds, experiment](
+               const ClusterAddress& address,
+               const ThreadShare& threads) -> Result<std::shared_ptr<EvaluationBackend>> {
+        auto backend = join_cluster(
+            kinds, address,
+            {.threads = threads.workers, .priority = threads.priority, .experiment = experiment});
         if (!backend) return backend.error();
         return std::shared_ptr<EvaluationBackend>(*std::move(backend));
     };
@@ -55,9 +56,10 @@ public:
             ->type_name(option_type::kAnyOfOurs);
         app.add_flag("--evolve", options_.evolve, "Evolution begins when the window opens");
         take_whole(
-            *app.add_option("-t,--threads", options_.machines.workers,
+            *app.add_option("-t,--threads", options_.machines.threads.workers,
                             "Number of threads that evaluate creatures; one per core by default"),
             1, 1024);
+        add_priority(app, options_.machines.threads.priority);
         add_cluster_choice(app, cluster_);
         add_window_options(app, options_);
         app.add_option("--state-dir", options_.state_dir,

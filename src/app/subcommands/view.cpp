@@ -13,7 +13,7 @@ class ViewSubcommand final : public Subcommand {
 public:
     ViewSubcommand() {
         options_.viewer = true;
-        options_.machines.workers = 1;
+        options_.machines.threads.workers = 1;
         options_.drawing.width = 960;
         options_.drawing.height = 640;
     }

@@ -2,6 +2,7 @@
 
 #include "app/cluster/cluster_options.h"
 #include "app/command_line/number_checks.h"
+#include "app/command_line/priority_option.h"
 #include "app/process/interruption.h"
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
@@ -23,9 +24,6 @@
 namespace cambrian {
 namespace {
 
-constexpr const char* kBackground = "background";
-constexpr const char* kNormal = "normal";
-
 class WorkerSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
@@ -33,10 +31,7 @@ public:
         take_whole(
             *app.add_option("-t,--threads", threads_, "Number of cores to use; all by default"), 1,
             1024);
-        app.add_option("--priority", priority_,
-                       "Priority of the computation; 'background' yields to all other programs")
-            ->check(CLI::IsMember({kBackground, kNormal}))
-            ->capture_default_str();
+        add_priority(app, priority_);
         app.add_option("--name", name_, "Name of this machine in tables; its host name by default")
             ->type_name("TEXT");
         app.add_flag("--unit", unit_,
@@ -58,7 +53,7 @@ private:
 
     ClusterLogin login_;
     std::optional<std::size_t> threads_;
-    std::string priority_ = kBackground;
+    ThreadPriority priority_ = ThreadPriority::kBackground;
     std::string name_;
     bool unit_ = false;
 };
@@ -80,7 +75,7 @@ ExitStatus WorkerSubcommand::work(const EvolutionKinds& kinds) {
     WorkerOptions options;
     options.id = random_id();
     options.threads = threads_.value_or(ThreadPool::default_workers());
-    options.priority = priority_ == kNormal ? ThreadPriority::kNormal : ThreadPriority::kBackground;
+    options.priority = priority_;
     options.name = name_.empty() ? machine_name() : text_for_people(name_, kLongestName);
     options.say = [](std::string_view words) { say(words); };
     const Status worked = work_for_cluster(kinds, **queue, options, interruption.token());

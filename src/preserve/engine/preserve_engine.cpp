@@ -13,8 +13,8 @@ constexpr std::size_t kMostNews = 16;
 
 }  // namespace
 
-PreserveEngine::PreserveEngine(PreserveStart start, std::size_t workers)
-    : start_(std::move(start)), workers_(workers) {
+PreserveEngine::PreserveEngine(PreserveStart start, const ThreadShare& threads)
+    : start_(std::move(start)), threads_(threads) {
     shown_.kept = start_.log != nullptr;
     shown_.series = std::make_shared<const std::vector<SeriesRow>>(std::move(start_.series));
     shown_.museum = std::make_shared<const std::vector<MuseumPiece>>(std::move(start_.museum));
@@ -31,7 +31,7 @@ PreserveEngine::~PreserveEngine() {
 }
 
 void PreserveEngine::run(const std::stop_token& stop) {
-    ThreadPool pool(workers_, ThreadPriority::kBackground);
+    ThreadPool pool(threads_.workers, threads_.priority);
     while (!stop.stop_requested()) {
         const bool commanded = inbox_.drain([this](PreserveCommand command) {
             std::visit([this](const auto& each) { apply(each); }, command);

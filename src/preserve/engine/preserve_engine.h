@@ -6,6 +6,7 @@
 #include "core/stopwatch.h"
 #include "core/threads/snapshot_channel.h"
 #include "core/threads/thread_pool.h"
+#include "core/threads/thread_share.h"
 #include "core/threads/worker_inbox.h"
 #include "preserve/engine/pacing.h"
 #include "preserve/engine/preserve_command.h"
@@ -33,8 +34,8 @@ struct PreserveStart {
 
 class PreserveEngine {
 public:
-    // Starts paused. `workers` threads at low priority compute the ticks.
-    PreserveEngine(PreserveStart start, std::size_t workers);
+    // Starts paused. `threads` compute the ticks.
+    PreserveEngine(PreserveStart start, const ThreadShare& threads);
     // Stops the thread within a tick and keeps the preserve in its log.
     ~PreserveEngine();
     PreserveEngine(const PreserveEngine&) = delete;
@@ -68,7 +69,7 @@ private:
 
     // The following members are used by the thread only.
     PreserveStart start_;
-    std::size_t workers_;
+    ThreadShare threads_;
     Pacing pacing_;
     Chronicle unwritten_;
     std::optional<Pins> unwritten_pins_;  // if they changed

@@ -55,10 +55,8 @@ struct ComparisonController::Handler {
 
 ComparisonController::ComparisonController(const Services& services,
                                            const ExperimentController& experiment,
-                                           std::size_t workers)
-    : services_(services),
-      experiment_(experiment),
-      workers_(workers == 0 ? ThreadPool::default_workers() : workers) {}
+                                           const ThreadShare& threads)
+    : services_(services), experiment_(experiment), threads_(threads) {}
 
 void ComparisonController::carry_out(const ComparisonRequest& request) {
     std::visit(Handler{*this}, request);
@@ -75,7 +73,7 @@ Result<RunningComparison::Job> ComparisonController::job() const {
         .runs = *std::move(runs),
         .arms = arms_of_plan(*plan),
         .folder = folder_ / "comparisons" / folder_name(facts_.draft, settings, services_.kinds),
-        .at_a_time = workers_};
+        .threads = threads_};
 }
 
 void ComparisonController::begin() {

@@ -2,12 +2,12 @@
 
 // Owns the comparison of settings that goes on in the background.
 
+#include "core/threads/thread_share.h"
 #include "studio/background/services.h"
 #include "studio/comparison/comparison_contract.h"
 #include "studio/comparison/running_comparison.h"
 #include "studio/experiment/experiment_controller.h"
 
-#include <cstddef>
 #include <filesystem>
 #include <memory>
 
@@ -15,10 +15,10 @@ namespace cambrian {
 
 class ComparisonController {
 public:
-    // The references in `services`, and `experiment`, must outlive the controller. `workers` are
-    // the runs at the same time; 0 means one per core.
+    // The references in `services`, and `experiment`, must outlive the controller. Each of the
+    // `threads` computes a run.
     ComparisonController(const Services& services, const ExperimentController& experiment,
-                         std::size_t workers);
+                         const ThreadShare& threads);
 
     // Keeps comparisons in folders inside this one from now on.
     void keep_in(const std::filesystem::path& folder) { folder_ = folder; }
@@ -35,7 +35,7 @@ private:
 
     Services services_;
     const ExperimentController& experiment_;
-    std::size_t workers_;
+    ThreadShare threads_;
     std::filesystem::path folder_;
     ComparisonView facts_;
     std::unique_ptr<RunningComparison> running_;  // null if none is under way

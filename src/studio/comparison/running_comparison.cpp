@@ -32,9 +32,9 @@ double RunningComparison::share() const {
 
 Status RunningComparison::perform(const std::stop_token& stop) {
     return comparison_->run(
-        job_.at_a_time,
+        job_.threads.workers,
         [this]() -> Result<std::unique_ptr<EvaluationBackend>> {
-            return make_thread_pool_backend(kinds_, 1, ThreadPriority::kBackground);
+            return make_thread_pool_backend(kinds_, 1, job_.threads.priority);
         },
         [this](const ComparedRun&) { publish(comparison_->finished(), false, {}); }, stop);
 }

@@ -5,10 +5,10 @@
 
 #include "comparison/comparison.h"
 #include "core/threads/snapshot_channel.h"
+#include "core/threads/thread_share.h"
 #include "studio/comparison/comparison_results.h"
 
 #include <atomic>
-#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -23,7 +23,7 @@ public:
         std::vector<PlannedRun> runs;
         std::vector<std::string> arms;  // in the order of the plan
         std::filesystem::path folder;
-        std::size_t at_a_time = 1;  // runs, each on one core
+        ThreadShare threads;  // one run at a time on each
     };
 
     // Starts at once. `kinds` must outlive it.

@@ -14,7 +14,7 @@ void HandPicking::enter(const EvolutionSnapshot& evolution, const GenomePtr& on_
     if (first) {
         engine_ = std::make_unique<PickingEngine>(
             evolution.settings, kinds_,
-            make_thread_pool_backend(kinds_, workers_, ThreadPriority::kBackground));
+            make_thread_pool_backend(kinds_, threads_.workers, threads_.priority));
         snapshot_ = engine_->latest();
         used_ = evolution.settings;
     }

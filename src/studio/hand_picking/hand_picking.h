@@ -4,6 +4,7 @@
 // keeps their tree while the program runs, the motion of the displayed grid, and the user's choices
 // about it.
 
+#include "core/threads/thread_share.h"
 #include "evolution/engine/snapshot.h"
 #include "evolution/kinds/evolution_kinds.h"
 #include "persist/records/picking_record.h"
@@ -24,10 +25,9 @@ namespace cambrian {
 
 class HandPicking {
 public:
-    // `kinds` must outlive the object. After the first enter(), `workers` threads evaluate
-    // creatures.
-    HandPicking(const EvolutionKinds& kinds, std::size_t workers)
-        : kinds_(kinds), workers_(workers), motion_(kinds.creature) {}
+    // `kinds` must outlive the object. After the first enter(), `threads` evaluate creatures.
+    HandPicking(const EvolutionKinds& kinds, const ThreadShare& threads)
+        : kinds_(kinds), threads_(threads), motion_(kinds.creature) {}
 
     // Starts the mode with a grid of the population if that changed since leave(), otherwise with
     // the last grid. Without a population, the first grid has children of the genome `on_show` or,
@@ -71,7 +71,7 @@ private:
     void send_waiting();
 
     const EvolutionKinds& kinds_;
-    std::size_t workers_;
+    ThreadShare threads_;
     std::unique_ptr<PickingEngine> engine_;  // null before the first enter()
     std::deque<PickingCommand> unsent_;      // commands that did not fit into the engine's inbox
     std::shared_ptr<const PickingSnapshot> snapshot_;

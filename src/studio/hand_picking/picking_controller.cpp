@@ -59,12 +59,12 @@ struct PickingController::Handler {
 
 PickingController::PickingController(const Services& services, ViewState& view,
                                      ViewerController& viewer, ExperimentController& experiment,
-                                     std::size_t workers)
+                                     const ThreadShare& threads)
     : services_(services),
       view_(view),
       viewer_(viewer),
       experiment_(experiment),
-      picking_(services.kinds, workers) {}
+      picking_(services.kinds, threads) {}
 
 void PickingController::update(double elapsed) {
     picking_.use(experiment_.open().snapshot().settings);

@@ -2,6 +2,7 @@
 
 // Owns selection by hand: enters and leaves the mode, and saves the picks in the experiment's file.
 
+#include "core/threads/thread_share.h"
 #include "studio/experiment/experiment_controller.h"
 #include "studio/hand_picking/hand_picking.h"
 #include "studio/hand_picking/picking_contract.h"
@@ -16,7 +17,7 @@ public:
     // The references in `services`, and `view`, `viewer` and `experiment`, must outlive the
     // controller.
     PickingController(const Services& services, ViewState& view, ViewerController& viewer,
-                      ExperimentController& experiment, std::size_t workers);
+                      ExperimentController& experiment, const ThreadShare& threads);
 
     // Must be called once a frame: plays the grid on by `elapsed` seconds and saves new picks.
     void update(double elapsed);

@@ -47,7 +47,7 @@ struct MachinesController::Attempt {
 };
 
 MachinesController::Attempt MachinesController::attempt_to_join(const ClusterLogin& login,
-                                                                std::size_t workers,
+                                                                const ThreadShare& threads,
                                                                 const ClusterJoining& join) {
     Attempt attempt;
     if (!join) {
@@ -59,7 +59,7 @@ MachinesController::Attempt MachinesController::attempt_to_join(const ClusterLog
         attempt.problem = address.error().message;
         return attempt;
     }
-    if (auto backend = join(*address, workers)) {
+    if (auto backend = join(*address, threads)) {
         attempt.backend = *std::move(backend);
         attempt.warning = plain_text_warning(*address);
     } else {
@@ -82,7 +82,8 @@ MachinesController::MachinesController(const Services& services, ExperimentContr
     : services_(services),
       experiment_(experiment),
       options_(std::move(options)),
-      own_(make_thread_pool_backend(services.kinds, options_.workers, ThreadPriority::kBackground)),
+      own_(make_thread_pool_backend(services.kinds, options_.threads.workers,
+                                    options_.threads.priority)),
       used_(own_) {}
 
 void MachinesController::begin(const ClusterMemory& remembered) {
@@ -103,9 +104,9 @@ void MachinesController::join(const ClusterLogin& login) {
     facts_.login = login;
     facts_.joining = true;
     services_.worker.submit([this, login, number = attempts_, join = options_.join,
-                             workers = options_.workers](const std::stop_token& stop) {
+                             threads = options_.threads](const std::stop_token& stop) {
         Attempt attempt;
-        if (!stop.stop_requested()) attempt = attempt_to_join(login, workers, join);
+        if (!stop.stop_requested()) attempt = attempt_to_join(login, threads, join);
         attempt.number = number;
         return [this, attempt] { finish(attempt); };
     });

@@ -34,7 +34,7 @@ public:
 private:
     struct Handler;
     struct Attempt;
-    static Attempt attempt_to_join(const ClusterLogin& login, std::size_t workers,
+    static Attempt attempt_to_join(const ClusterLogin& login, const ThreadShare& threads,
                                    const ClusterJoining& join);
     void join(const ClusterLogin& login);
     void leave();

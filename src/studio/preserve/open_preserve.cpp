@@ -10,10 +10,10 @@ constexpr double kLogInterval = 0.5;  // s between two states in the log
 
 }  // namespace
 
-OpenPreserve::OpenPreserve(OpenedWorld opened, std::size_t workers)
+OpenPreserve::OpenPreserve(OpenedWorld opened, const ThreadShare& threads)
     : settings_(opened.start.preserve->settings()),
       file_(std::move(opened.file)),
-      engine_(std::move(opened.start), workers),
+      engine_(std::move(opened.start), threads),
       picture_(engine_.latest()) {}
 
 void OpenPreserve::send(PreserveCommand command) {

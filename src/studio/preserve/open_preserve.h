@@ -2,10 +2,10 @@
 
 // The open preserve: its thread, its newest picture, and the creature that was picked.
 
+#include "core/threads/thread_share.h"
 #include "studio/background/feedback.h"
 #include "studio/preserve/opened_world.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace cambrian {
 
 class OpenPreserve {
 public:
-    OpenPreserve(OpenedWorld opened, std::size_t workers);
+    OpenPreserve(OpenedWorld opened, const ThreadShare& threads);
 
     // Sends a command to the thread, as soon as its inbox has room.
     void send(PreserveCommand command);

@@ -213,8 +213,8 @@ struct PreserveController::Handler : WorldTools {
 };
 
 PreserveController::PreserveController(const Services& services, const PreserveSubjects& subjects,
-                                       std::size_t workers)
-    : services_(services), subjects_(subjects), workers_(workers) {}
+                                       const ThreadShare& threads)
+    : services_(services), subjects_(subjects), threads_(threads) {}
 
 void PreserveController::keep_in(const std::filesystem::path& folder) {
     if (!folder.empty()) own_file_ = folder / "preserve.cambrian";
@@ -333,7 +333,7 @@ void PreserveController::open(OpenedWorld opened) {
     close();
     const std::vector<std::string> warnings = std::move(opened.warnings);
     Pins pins = std::move(opened.pins);
-    open_ = std::make_shared<OpenPreserve>(std::move(opened), workers_);
+    open_ = std::make_shared<OpenPreserve>(std::move(opened), threads_);
     picture_ = open_->picture();
     pins_.begin(std::move(pins), *picture_);
     tools_.wall = {};

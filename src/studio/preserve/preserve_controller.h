@@ -3,6 +3,7 @@
 // Owns the preserve as a mode of the studio: begins, opens and closes it, and carries out what the
 // user asks of it.
 
+#include "core/threads/thread_share.h"
 #include "studio/experiment/generations_controller.h"
 #include "studio/hand_picking/picking_controller.h"
 #include "studio/preserve/open_preserve.h"
@@ -26,10 +27,10 @@ struct PreserveSubjects {
 
 class PreserveController {
 public:
-    // `workers` threads compute a preserve. The references in `services` must outlive the
+    // `threads` compute a preserve. The references in `services` must outlive the
     // controller.
     PreserveController(const Services& services, const PreserveSubjects& subjects,
-                       std::size_t workers);
+                       const ThreadShare& threads);
 
     // Sets the folder of the sample creatures and of the sample settings.
     void use_assets(const std::filesystem::path& folder) { assets_ = folder; }
@@ -82,7 +83,7 @@ private:
 
     Services services_;
     PreserveSubjects subjects_;
-    std::size_t workers_;
+    ThreadShare threads_;
     std::filesystem::path assets_;
     std::filesystem::path own_file_;
     std::shared_ptr<OpenPreserve> open_;  // null while another world is being read

@@ -20,10 +20,10 @@ struct Lab {
     std::shared_ptr<std::vector<std::string>> asked = std::make_shared<std::vector<std::string>>();
 
     MachineOptions options() const {
-        return {.workers = 2,
+        return {.threads = {.workers = 2},
                 .join = [cluster = cluster, asked = asked](
                             const ClusterAddress& address,
-                            std::size_t) -> Result<std::shared_ptr<EvaluationBackend>> {
+                            const ThreadShare&) -> Result<std::shared_ptr<EvaluationBackend>> {
                     asked->push_back(address.servers.front());
                     return std::shared_ptr<EvaluationBackend>(cluster);
                 }};
@@ -68,8 +68,8 @@ TEST_CASE("a cluster is joined and left during a run without a change of its cha
 
 TEST_CASE("the reason why a cluster cannot be joined is shown, and the run continues alone",
           "[studio][machines][threads]") {
-    StudioRun run(MachineOptions{.workers = 2,
-                                 .join = [](const ClusterAddress& address, std::size_t)
+    StudioRun run(MachineOptions{.threads = {.workers = 2},
+                                 .join = [](const ClusterAddress& address, const ThreadShare&)
                                      -> Result<std::shared_ptr<EvaluationBackend>> {
                                      return Error{address.servers.front() + " cannot be reached"};
                                  }});
@@ -116,13 +116,13 @@ TEST_CASE("an attempt to join that was cancelled has no effect when it ends",
           "[studio][machines][threads]") {
     std::promise<void> answered;
     const auto cluster = std::make_shared<ScriptedCluster>();
-    StudioRun run(MachineOptions{
-        .workers = 2,
-        .join = [&, answer = answered.get_future().share()](const ClusterAddress&, std::size_t)
-            -> Result<std::shared_ptr<EvaluationBackend>> {
-            answer.wait();
-            return std::shared_ptr<EvaluationBackend>(cluster);
-        }});
+    StudioRun run(MachineOptions{.threads = {.workers = 2},
+                                 .join = [&, answer = answered.get_future().share()](
+                                             const ClusterAddress&, const ThreadShare&)
+                                     -> Result<std::shared_ptr<EvaluationBackend>> {
+                                     answer.wait();
+                                     return std::shared_ptr<EvaluationBackend>(cluster);
+                                 }});
     run.ask(JoinCluster{kLab});
     run.ask(LeaveCluster{});
     answered.set_value();
