@@ -14,7 +14,7 @@ from program import CAMBRIAN, ProgramTest
 # The run lasts some seconds on a core, long enough for workers to join.
 SETTINGS = """
 [run]
-generations = 12
+generations = 8
 [population]
 size = 60
 [trial]
