@@ -80,7 +80,7 @@ class Display:
 class StudioTest(ProgramTest):
     # Hz; a window without a graphics card spends most of its time on frames. Keys that are pressed
     # and released at once need a short frame.
-    frame_rate = 30
+    frame_rate = 20
 
     def open_display(self, width=1280, height=800):
         display = Display(width, height)
