@@ -2,7 +2,6 @@
 
 #include "core/hash.h"
 #include "core/text/counted.h"
-#include "core/threads/thread_pool.h"
 #include "goals/goal.h"
 #include "persist/settings/settings_file.h"
 #include "persist/text/digest_text.h"
