@@ -42,7 +42,6 @@ Result<std::unique_ptr<EvaluationBackend>> join_cluster(const EvolutionKinds& ki
     if (!queue) return queue.error();
     ClusterOptions options;
     options.threads = use.threads;
-    options.priority = use.priority;
     options.name = machine_name();
     options.server = address.servers.front();
     options.cluster = address.name;

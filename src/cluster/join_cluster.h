@@ -4,11 +4,10 @@
 
 #include "cluster/connection/cluster_address.h"
 #include "core/result.h"
-#include "core/threads/thread_priority.h"
+#include "core/threads/thread_share.h"
 #include "evolution/evaluation/evaluation_backend.h"
 #include "evolution/kinds/evolution_kinds.h"
 
-#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -16,8 +15,8 @@
 namespace cambrian {
 
 struct ClusterUse {
-    std::size_t threads = 1;  // own cores that evaluate, at least 1
-    ThreadPriority priority = ThreadPriority::kNormal;
+    // Own cores that evaluate, at least 1.
+    ThreadShare threads = {.workers = 1, .priority = ThreadPriority::kNormal};
     std::filesystem::path experiment;  // file of the run; empty if it is not saved
 };
 

@@ -125,7 +125,7 @@ DrillWorker::DrillWorker(MemoryServer& server, std::uint64_t id, WorkerHabits ha
         WorkerOptions options;
         options.id = id;
         options.name = "worker " + std::to_string(id);
-        options.priority = ThreadPriority::kNormal;
+        options.threads.priority = ThreadPriority::kNormal;
         options.say = [outcome](std::string_view line) {
             const std::lock_guard lock(outcome->mutex);
             outcome->said.emplace_back(line);
@@ -160,7 +160,7 @@ std::vector<std::string> DrillWorker::said() const {
 
 ClusterOptions drill_options() {
     ClusterOptions options;
-    options.threads = 1;
+    options.threads.workers = 1;
     options.name = "here";
     options.run = 0x1234;
     options.secret = 99;

@@ -165,7 +165,7 @@ ExitStatus work(std::string_view fault, const std::string& url, const std::strin
     WorkerOptions options;
     options.id = random_id();
     options.name = name;
-    options.priority = ThreadPriority::kNormal;  // other tests do not starve it
+    options.threads.priority = ThreadPriority::kNormal;  // other tests do not starve it
     options.say = [](std::string_view words) { say(words); };
     const Status worked = work_for_cluster(kinds(), *faulty, options, {});
     return worked ? ExitStatus::kDone : fail(worked.error(), ExitStatus::kFailed);

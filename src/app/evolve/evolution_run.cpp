@@ -268,8 +268,7 @@ Result<std::unique_ptr<EvaluationBackend>> backend_of(const EvolutionRun& run,
     const std::size_t threads = run.threads.value_or(ThreadPool::default_workers());
     if (!cluster) return make_thread_pool_backend(kinds, threads);
     return join_cluster(kinds, *cluster,
-                        {.threads = threads,
-                         .priority = ThreadPriority::kNormal,
+                        {.threads = {.workers = threads, .priority = ThreadPriority::kNormal},
                          .experiment = outputs.experiment});
 }
 

@@ -36,9 +36,7 @@ ClusterJoining joining(const EvolutionKinds& kinds, const std::filesystem::path&
     return [&kinds, experiment](
                const ClusterAddress& address,
                const ThreadShare& threads) -> Result<std::shared_ptr<EvaluationBackend>> {
-        auto backend = join_cluster(
-            kinds, address,
-            {.threads = threads.workers, .priority = threads.priority, .experiment = experiment});
+        auto backend = join_cluster(kinds, address, {.threads = threads, .experiment = experiment});
         if (!backend) return backend.error();
         return std::shared_ptr<EvaluationBackend>(*std::move(backend));
     };

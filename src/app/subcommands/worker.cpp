@@ -74,8 +74,8 @@ ExitStatus WorkerSubcommand::work(const EvolutionKinds& kinds) {
     const Interruption interruption;
     WorkerOptions options;
     options.id = random_id();
-    options.threads = threads_.value_or(ThreadPool::default_workers());
-    options.priority = priority_;
+    options.threads = {.workers = threads_.value_or(ThreadPool::default_workers()),
+                       .priority = priority_};
     options.name = name_.empty() ? machine_name() : text_for_people(name_, kLongestName);
     options.say = [](std::string_view words) { say(words); };
     const Status worked = work_for_cluster(kinds, **queue, options, interruption.token());

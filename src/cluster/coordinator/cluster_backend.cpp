@@ -124,10 +124,10 @@ ClusterBackend::ClusterBackend(const EvolutionKinds& kinds, std::unique_ptr<Coor
       proof_trials_(proof_trials(kinds)),
       proof_(proof_of(proof_trials_)),
       queue_(std::move(queue)),
-      pool_(options_.threads, options_.priority),
+      pool_(options_.threads.workers, options_.threads.priority),
       writer_(kinds),
       memory_{.trust = Trust(options_.secret)},
-      roll_({std::string(kSimulatorVersion), proof_}, options_.name, options_.threads) {
+      roll_({std::string(kSimulatorVersion), proof_}, options_.name, options_.threads.workers) {
     queue_->begin_run(options_.run);
     dispatcher_ = std::jthread([this](const std::stop_token& stop) { dispatch(stop); });
 }
@@ -191,7 +191,8 @@ bool ClusterBackend::run(Call& call, const std::stop_token& stop) {
         const std::lock_guard lock(mutex_);
         changed_.notify_all();
     });
-    pool_.parallel_for(options_.threads, [&](std::size_t, std::size_t) { serve_core(call, stop); });
+    pool_.parallel_for(options_.threads.workers,
+                       [&](std::size_t, std::size_t) { serve_core(call, stop); });
     bool whole = false;
     bool left = false;
     {
@@ -290,7 +291,7 @@ void ClusterBackend::fail(std::string why) {
 
 Cores ClusterBackend::cores() const {
     const bool usable = link_ == ClusterLink::kConnected;
-    return {options_.threads, usable ? roll_.cores(now(), memory_.trust) : 0};
+    return {options_.threads.workers, usable ? roll_.cores(now(), memory_.trust) : 0};
 }
 
 // Only the dispatcher's thread may wait for the server; the other threads evaluate.
@@ -348,7 +349,8 @@ bool ClusterBackend::publish_unit(Call& call) {
 
 // Beside evaluations in the background there is a window, which must not wait for messages.
 void ClusterBackend::dispatch(const std::stop_token& stop) {
-    if (options_.priority == ThreadPriority::kBackground) take_priority(ThreadPriority::kServing);
+    if (options_.threads.priority == ThreadPriority::kBackground)
+        take_priority(ThreadPriority::kServing);
     double next_hello = 0.0;
     while (!stop.stop_requested()) {
         take(queue_->poll(kLongestPoll));
@@ -378,7 +380,7 @@ void ClusterBackend::watch_link() {
 
 void ClusterBackend::say_hello() {
     Hello hello = introduction(Hello::Role::kCoordinator, options_.run, options_.name,
-                               options_.threads, proof_);
+                               options_.threads.workers, proof_);
     hello.trials = proof_trials_;
     {
         const std::lock_guard lock(mutex_);

@@ -5,11 +5,10 @@
 
 #include "cluster/messages/work_queue.h"
 #include "cluster/units/unit_child.h"
-#include "core/threads/thread_priority.h"
+#include "core/threads/thread_share.h"
 #include "evolution/evaluation/evaluation_backend.h"
 #include "evolution/kinds/evolution_kinds.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -18,8 +17,8 @@
 namespace cambrian {
 
 struct ClusterOptions {
-    std::size_t threads = 1;  // own cores that evaluate, at least 1
-    ThreadPriority priority = ThreadPriority::kNormal;
+    // Own cores that evaluate, at least 1.
+    ThreadShare threads = {.workers = 1, .priority = ThreadPriority::kNormal};
     std::string name;          // displayed name of this machine
     std::string server;        // for BackendStatus
     std::string cluster;       // likewise

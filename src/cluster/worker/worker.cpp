@@ -113,9 +113,9 @@ private:
 };
 
 Status Worker::run(const std::stop_token& stop) {
-    for (std::size_t core = 0; core < options_.threads; ++core)
+    for (std::size_t core = 0; core < options_.threads.workers; ++core)
         cores_.emplace_back([this](const std::stop_token& end) {
-            take_priority(options_.priority);
+            take_priority(options_.threads.priority);
             serve_core(end);
         });
     const std::stop_callback wake(stop, [this] { changed_.notify_all(); });
@@ -149,10 +149,12 @@ void Worker::fetch() {
     std::size_t wanted = 0;
     {
         std::unique_lock lock(mutex_);
-        const auto has_room = [this] { return in_hand_.size() < kUnitsACore * options_.threads; };
+        const auto has_room = [this] {
+            return in_hand_.size() < kUnitsACore * options_.threads.workers;
+        };
         changed_.wait_for(lock, kLongestWait, has_room);
         if (!has_room()) return;
-        wanted = kUnitsACore * options_.threads - in_hand_.size();
+        wanted = kUnitsACore * options_.threads.workers - in_hand_.size();
     }
     std::vector<Delivery> deliveries = queue_.fetch(wanted, kLongestWait);
     const std::lock_guard lock(mutex_);
@@ -217,8 +219,8 @@ void Worker::hear(const Hello& hello) {
 void Worker::say_hello(bool leaving) {
     const double now = clock_.seconds();
     next_hello_ = now + kHelloEvery;
-    Hello hello =
-        introduction(Hello::Role::kWorker, options_.id, options_.name, options_.threads, proof_);
+    Hello hello = introduction(Hello::Role::kWorker, options_.id, options_.name,
+                               options_.threads.workers, proof_);
     hello.leaving = leaving;
     {
         const std::lock_guard lock(mutex_);

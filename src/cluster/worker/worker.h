@@ -4,10 +4,9 @@
 
 #include "cluster/messages/work_queue.h"
 #include "core/result.h"
-#include "core/threads/thread_priority.h"
+#include "core/threads/thread_share.h"
 #include "evolution/kinds/evolution_kinds.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <stop_token>
@@ -17,10 +16,9 @@
 namespace cambrian {
 
 struct WorkerOptions {
-    std::uint64_t id = 0;     // different from that of any other worker
-    std::size_t threads = 1;  // cores to use, at least 1
-    ThreadPriority priority = ThreadPriority::kBackground;
-    std::string name;  // displayed name
+    std::uint64_t id = 0;  // different from that of any other worker
+    ThreadShare threads;   // at least 1
+    std::string name;      // displayed name
     // Prints a line for users: connected, connection lost, which run is refused and why. May be
     // called on any thread.
     std::function<void(std::string_view)> say;
