@@ -45,6 +45,13 @@ std::vector<SpanLine> cells_of(std::string_view row) {
     return cells;
 }
 
+void embolden(std::vector<SpanLine>& cells) {
+    for (SpanLine& cell : cells) {
+        for (TextSpan& span : cell)
+            span.look = SpanLook::kBold;
+    }
+}
+
 bool is_rule(std::string_view row) {
     return row.find_first_not_of("|-: ") == std::string_view::npos;
 }
@@ -111,7 +118,9 @@ private:
             finish();
             blocks_.push_back({.kind = BlockKind::kTable, .line = {}, .code = {}, .rows = {}});
         }
-        blocks_.back().rows.push_back(cells_of(bare));
+        auto& rows = blocks_.back().rows;
+        rows.push_back(cells_of(bare));
+        if (rows.size() == 1) embolden(rows.front());
         whole_ = false;
     }
     void add_text(std::string_view line, std::string_view bare) {

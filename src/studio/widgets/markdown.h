@@ -28,7 +28,7 @@ struct MarkdownBlock {
     int level = 0;                            // of a heading, from 1; of a bullet, from 0
     SpanLine line;                            // text of a heading, paragraph or bullet
     std::string code;                         // lines of a code block
-    std::vector<std::vector<SpanLine>> rows;  // of a table; the first is its header
+    std::vector<std::vector<SpanLine>> rows;  // of a table; the first is its header, in bold
 };
 
 // Never fails; unknown syntax becomes plain text. Pictures are left out.

@@ -15,6 +15,21 @@ ImFont* font_of(SpanLook look) {
     return look == SpanLook::kCode ? fonts.mono : fonts.body;
 }
 
+ImVec2 text_size(ImFont* font, const std::string& text) {
+    return font->CalcTextSizeA(font->FontSize, INFINITY, 0.0F, text.c_str());
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+    std::vector<std::string> words;
+    std::size_t start = 0;
+    while (start < text.size()) {
+        const std::size_t end = std::min(text.find(' ', start), text.size());
+        words.push_back(text.substr(start, end - start));
+        start = end + 1;
+    }
+    return words;
+}
+
 // Places words one after the other and breaks lines at a width.
 class WordSetter {
 public:
@@ -22,13 +37,11 @@ public:
         : low_(ImGui::GetCursorScreenPos()), width_(width), at_(low_) {}
 
     void set(const TextSpan& span, ImFont* font, const Color& color) {
-        std::size_t start = 0;
-        while (start < span.text.size()) {
-            const std::size_t end = std::min(span.text.find(' ', start), span.text.size());
-            set_word(span, span.text.substr(start, end - start), font, color);
-            if (end < span.text.size())
-                at_.x += font->CalcTextSizeA(font->FontSize, INFINITY, 0.0F, " ").x;
-            start = end + 1;
+        const std::vector<std::string> words = words_of(span.text);
+        const float space = text_size(font, " ").x;
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            set_word(span, words[i], font, color);
+            if (i + 1 < words.size() || span.text.back() == ' ') at_.x += space;
         }
     }
     // Reserves the space used; returns the link that was clicked.
@@ -39,7 +52,7 @@ public:
 
 private:
     void set_word(const TextSpan& span, const std::string& word, ImFont* font, const Color& color) {
-        const ImVec2 size = font->CalcTextSizeA(font->FontSize, INFINITY, 0.0F, word.c_str());
+        const ImVec2 size = text_size(font, word);
         if (at_.x > low_.x && at_.x + size.x > low_.x + width_) {
             at_ = {low_.x, at_.y + line_};
         }
@@ -109,22 +122,6 @@ void draw_code(const std::string& code) {
     ImGui::Dummy(size);
 }
 
-float text_width(const TextSpan& span, const std::string& text) {
-    ImFont* font = font_of(span.look);
-    return font->CalcTextSizeA(font->FontSize, INFINITY, 0.0F, text.c_str()).x;
-}
-
-float longest_word(const TextSpan& span) {
-    float longest = 0.0F;
-    std::size_t start = 0;
-    while (start < span.text.size()) {
-        const std::size_t end = std::min(span.text.find(' ', start), span.text.size());
-        longest = std::max(longest, text_width(span, span.text.substr(start, end - start)));
-        start = end + 1;
-    }
-    return longest;
-}
-
 // Returns the widths of a column's content, with the space between columns.
 ColumnContent content_of(const std::vector<std::vector<SpanLine>>& rows, std::size_t column) {
     ColumnContent content;
@@ -132,8 +129,10 @@ ColumnContent content_of(const std::vector<std::vector<SpanLine>>& rows, std::si
         if (column >= row.size()) continue;
         float width = 0.0F;
         for (const TextSpan& span : row[column]) {
-            width += text_width(span, span.text);
-            content.longest_word = std::max(content.longest_word, longest_word(span));
+            ImFont* font = font_of(span.look);
+            width += text_size(font, span.text).x;
+            for (const std::string& word : words_of(span.text))
+                content.longest_word = std::max(content.longest_word, text_size(font, word).x);
         }
         content.longest_text = std::max(content.longest_text, width);
     }
@@ -143,28 +142,18 @@ ColumnContent content_of(const std::vector<std::vector<SpanLine>>& rows, std::si
     return content;
 }
 
-// Makes the words of a table's header bold.
-void embolden(std::vector<SpanLine>& cells) {
-    for (SpanLine& cell : cells) {
-        for (TextSpan& span : cell)
-            span.look = SpanLook::kBold;
-    }
-}
-
 std::string draw_table(const MarkdownBlock& table) {
     std::string pressed;
-    auto rows = table.rows;
-    embolden(rows.front());
     std::vector<ColumnContent> contents;
-    for (std::size_t column = 0; column < rows.front().size(); ++column)
-        contents.push_back(content_of(rows, column));
+    for (std::size_t column = 0; column < table.rows.front().size(); ++column)
+        contents.push_back(content_of(table.rows, column));
     constexpr ImGuiTableFlags flags =
         ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH;
     if (contents.empty() || !ImGui::BeginTable("table", static_cast<int>(contents.size()), flags))
         return pressed;
     for (const float width : column_widths(contents, ImGui::GetContentRegionAvail().x))
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, width);
-    for (const auto& row : rows) {
+    for (const auto& row : table.rows) {
         ImGui::TableNextRow();
         for (std::size_t column = 0; column < std::min(contents.size(), row.size()); ++column) {
             ImGui::TableSetColumnIndex(static_cast<int>(column));

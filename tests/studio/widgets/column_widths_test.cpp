@@ -1,6 +1,6 @@
 #include "studio/widgets/column_widths.h"
 
-#include <catch2/catch.hpp>
+#include "support/catch.h"
 
 #include <array>
 #include <numeric>

@@ -26,6 +26,7 @@ TEST_CASE("a page is parsed into its blocks", "[studio][markdown]") {
     CHECK(blocks[2].line == plain("first goes on"));
     CHECK(blocks[3].line == plain("second"));
     REQUIRE(blocks[4].rows.size() == 2);
+    CHECK(blocks[4].rows[0][1] == SpanLine{span("b", SpanLook::kBold)});
     CHECK(blocks[4].rows[1][1] == plain("2"));
     CHECK(blocks[5].code == "code  one\ncode two");
 }
