@@ -13,7 +13,7 @@ from network_cut import CuttableNetwork
 from program import DONE, FAILED, FAULTY_PROGRAM
 
 # Time in s for which a network is cut; 30 s would be realistic but too long for a test.
-CUT_SECONDS = float(os.environ.get("CAMBRIAN_CUT_SECONDS", 3))
+CUT_SECONDS = float(os.environ.get("CAMBRIAN_CUT_SECONDS", 4))
 
 # A generation takes about half a second on a core, and the run lasts longer than any test.
 ENDLESS = """

@@ -14,7 +14,7 @@ from program import CAMBRIAN, ProgramTest
 # The run lasts some seconds on a core, long enough for workers to join.
 SETTINGS = """
 [run]
-generations = 8
+generations = 12
 [population]
 size = 60
 [trial]

@@ -169,7 +169,7 @@ class LongTrials(ProgramTest):
                                  ((i,) for i in range(2, rows)))
             database.executemany("INSERT INTO journal (generation, command, settings) "
                                  "VALUES (1, 'settings', ?)", ((i,) for i in range(2, rows)))
-        self.many_rows("a.cambrian", 60000, insert)
+        self.many_rows("a.cambrian", 200000, insert)
         self.run_well("export", "a.cambrian", "--champion")
         for arguments in [["verify", "a.cambrian"], ["evolve", "-r", "a.cambrian", "-n", 4]]:
             self.assertLess(self.memory_of(*arguments, status=BAD_INPUT), 200e6)

@@ -85,7 +85,7 @@ ExperimentSettings drill_settings() {
     ExperimentSettings settings;
     settings.seed = 7;
     settings.population.size = by_build(60, 30);
-    settings.generations = 8;
+    settings.generations = 12;
     settings.world.environment = kinds().goals.find(settings.goal)->default_environment();
     settings.world.trial.duration = kDuration;
     return settings;

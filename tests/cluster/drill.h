@@ -18,7 +18,7 @@
 
 namespace cambrian::test {
 
-// Returns settings of 8 generations with 60 creatures that walk for a few seconds.
+// Returns settings of 12 generations with 60 creatures that walk for a few seconds.
 ExperimentSettings drill_settings();
 
 // One digest per generation.

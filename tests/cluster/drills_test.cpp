@@ -145,13 +145,13 @@ TEST_CASE("a server that goes away and comes back is used again", "[cluster][thr
     std::uint64_t units_before = 0;
     std::uint64_t units_while_away = 0;
     const auto restart = [&](int generation) {
-        if (generation == 2) {
+        if (generation == 4) {
             cluster.server.set_running(false);
             REQUIRE(wait_for_workers(*cluster.backend, 0));
             CHECK(cluster.backend->status().link == ClusterLink::kAway);
             units_before = cluster.counts().units;
         }
-        if (generation == 4) {
+        if (generation == 8) {
             units_while_away = cluster.counts().units - units_before;
             cluster.server.set_running(true);
             REQUIRE(wait_for_workers(*cluster.backend, 2));

@@ -15,7 +15,7 @@ using test::kinds;
 
 namespace {
 
-constexpr int kGenerations = test::by_build(20, 11);
+constexpr int kGenerations = test::by_build(30, 11);
 
 std::shared_ptr<ExperimentSettings> short_walks(int size) {
     auto settings = std::make_shared<ExperimentSettings>();

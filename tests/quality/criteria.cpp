@@ -203,7 +203,7 @@ std::vector<Criterion> seeking_criteria(const std::vector<RunResult>& runs) {
 
 std::vector<Criterion> quick_criteria(const std::vector<RunResult>& runs) {
     std::vector<Criterion> criteria = {
-        fight(runs, {"Q", "quick", "swimming", kEvolution, kRandomSearch, 1.6, 1}),
+        fight(runs, {"Q", "quick", "swimming", kEvolution, kRandomSearch, 1.8, 1}),
         fight(runs, {"Q", "quick", "walking", kEvolution, kRandomSearch, 2.0, 1})};
     criteria.push_back(counted(
         "Q", "champions whose audit is not clean: none", of_plan(runs, "quick"),
