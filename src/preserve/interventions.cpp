@@ -219,9 +219,10 @@ Result<std::uint64_t> Preserve::admit(const GenomePtr& genome, const Vec3& place
     if (!center) return Error{kNoRoom};
     if (!area_.holds(*center, resident.radius()))
         return Error{"The creature is too large for the world."};
-    if (!can_pay(resident)) {
-        return Error{fmt::format("The light has {} left, and the creature costs {}.",
-                                 joules_text(ambient_), joules_text(price_of(resident)))};
+    if (!afford(resident)) {
+        return Error{
+            fmt::format("The light and the plants have {} left, and the creature costs {}.",
+                        joules_text(ambient_ + plants_.energy()), joules_text(price_of(resident)))};
     }
     resident.place(*center, Vec3::Zero());
     const std::uint64_t number = next_number_;

@@ -109,7 +109,7 @@ Status Preserve::found() {
     for (std::size_t i = 0; i < count; ++i) {
         Result<std::unique_ptr<Resident>> founder = newcomer(i, "founder");
         if (!founder) return founder.error();
-        if (!can_pay(**founder)) {
+        if (!afford(**founder)) {
             return Error{fmt::format(
                 "[preserve] founders: the energy is spent after {} of {}; expected fewer founders, "
                 "or more than {} J/m^2 of energy-density",
@@ -207,8 +207,15 @@ Energy Preserve::price_of(const Resident& resident) const {
     return store_of(resident, laws_->preserve) + body_of(resident, laws_->preserve);
 }
 
-bool Preserve::can_pay(const Resident& resident) const {
-    return ambient_ >= price_of(resident);
+// Makes sure that the light can pay a newcomer. If it has too little energy, plants become light
+// again; otherwise a world full of plants in which nobody is left would stay empty. Returns false
+// and changes nothing if all plants would not do.
+bool Preserve::afford(const Resident& resident) {
+    const Energy missing = price_of(resident) - ambient_;
+    if (missing <= 0) return true;
+    if (plants_.energy() < missing) return false;
+    ambient_ += plants_.take_at_least(missing);
+    return true;
 }
 
 // Adds a newcomer, which the light pays.
@@ -596,7 +603,7 @@ void Preserve::restock() {
     if (tick_ % kTicksPerRestock != 0) return;
     while (residents_.size() < floor) {
         Result<std::unique_ptr<Resident>> arriving = newcomer(restocked_, "restock");
-        if (!arriving || !can_pay(**arriving)) return;
+        if (!arriving || !afford(**arriving)) return;
         chronicle_.interventions.push_back({tick_, intervention::kRestock, next_number_});
         settle(*std::move(arriving));
         ++restocked_;

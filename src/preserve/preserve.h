@@ -134,7 +134,7 @@ private:
     Result<std::unique_ptr<Resident>> newcomer(std::size_t place, std::string method);
     std::uint64_t newcomer_uid() const;
     Energy price_of(const Resident& resident) const;
-    bool can_pay(const Resident& resident) const;
+    bool afford(const Resident& resident);
     void settle(std::unique_ptr<Resident> resident);
     void take_in(std::unique_ptr<Resident> resident);
     void join_lineage(Resident& resident, const Resident* parent);

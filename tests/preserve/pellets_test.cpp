@@ -43,6 +43,21 @@ TEST_CASE("a mouth takes exactly the pellets within its reach", "[preserve]") {
     CHECK(pellets.all().size() < 2000);
 }
 
+TEST_CASE("pellets are taken until they make up an energy", "[preserve]") {
+    Pellets pellets(kArea);
+    for (int i = 0; i < 5; ++i)
+        pellets.add({static_cast<double>(i) - 2.0, 0.0, 0.0}, 10);
+    CHECK(pellets.take_at_least(0) == 0);
+    CHECK(pellets.take_at_least(11) == 20);
+    CHECK(pellets.energy() == 30);
+    REQUIRE(pellets.all().size() == 3);
+    CHECK(pellets.all().back().x == 0.0);
+    CHECK(pellets.take({Vec3(1.0, 0.0, 0.0), Vec3(1.0, 0.0, 0.0), 0.2, 0.2}, 0.1).empty());
+    CHECK(pellets.take_at_least(1000) == 30);
+    CHECK(pellets.all().empty());
+    CHECK(pellets.take_at_least(1) == 0);
+}
+
 TEST_CASE("where edges meet, a mouth reaches pellets across them", "[preserve][edges]") {
     RandomStream random(stream_seed({4, static_cast<std::uint64_t>(Purpose::kTest)}));
     const WorldArea area{10.0, 8.0, false, true};

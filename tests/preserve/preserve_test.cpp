@@ -176,6 +176,26 @@ TEST_CASE("newcomers restock a world below its floor and are paid from its light
     CHECK(preserve->total_energy() == preserve->founding_energy());
 }
 
+TEST_CASE("a world that has grown over is restocked, and plants pay for it", "[preserve]") {
+    ExperimentSettings settings = small_world();
+    settings.preserve.founders = 6;
+    settings.preserve.restock = 0;
+    settings.preserve.growth_time = 1.0;
+    settings.preserve.body_upkeep = 1000.0;  // nobody lives for long
+    const auto preserve = begun(settings, {eater(0.0)});
+    ThreadPool pool(1);
+    for (int tick = 0; tick < 1200; ++tick)
+        preserve->tick(pool);
+    REQUIRE(preserve->residents().empty());
+    REQUIRE(joules(preserve->ambient()) < 2.0 * settings.preserve.plant_energy);
+    REQUIRE(preserve->intervene({.what = "law preserve.restock", .x = 6.0}));
+    preserve->take_chronicle();
+    for (int tick = 0; tick < 60; ++tick)
+        preserve->tick(pool);
+    CHECK(preserve->take_chronicle().born.size() == 6);
+    CHECK(preserve->total_energy() == preserve->founding_energy());
+}
+
 TEST_CASE("a lineage begins where more than four genes of the body differ", "[preserve]") {
     const GenomePtr founder = eater(0.0);
     Genome changed = *founder;

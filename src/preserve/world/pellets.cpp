@@ -124,6 +124,13 @@ Energy Pellets::rot(double share) {
     return before - energy_;
 }
 
+Energy Pellets::take_at_least(Energy energy) {
+    const Energy before = energy_;
+    while (before - energy_ < energy && !pellets_.empty())
+        remove(static_cast<std::uint32_t>(pellets_.size() - 1));
+    return before - energy_;
+}
+
 void Pellets::replace(std::span<const Pellet> pellets) {
     const std::vector<Pellet> kept(pellets.begin(), pellets.end());
     pellets_.clear();

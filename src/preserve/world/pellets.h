@@ -36,6 +36,10 @@ public:
     // than 1e-6 J left is removed with its rest. Returns the energy taken.
     Energy rot(double share);
 
+    // Removes pellets, the last ones first, until they make up an energy or none is left.
+    // Returns their energy.
+    Energy take_at_least(Energy energy);
+
     Energy energy() const { return energy_; }  // of all
     std::span<const Pellet> all() const { return pellets_; }
     // Replaces all pellets, which keep their order.
