@@ -8,13 +8,17 @@ import subprocess
 import time
 
 from experiment_tables import digests
+from kept_runs import digests_of_run
 from nats_server import PLAIN, NatsServer
 from program import CAMBRIAN, ProgramTest
 
+GENERATIONS = 12
+MOST_RUNS = 6
+
 # The run lasts some seconds on a core, long enough for workers to join.
-SETTINGS = """
+SETTINGS = f"""
 [run]
-generations = 12
+generations = {GENERATIONS}
 [population]
 size = 60
 [trial]
@@ -117,10 +121,29 @@ class ClusterTest(ProgramTest):
         self.assertEqual(run.returncode, 0, run.log.read_text())
         return [json.loads(line) for line in text.splitlines()][:-1]
 
-    def local_digests(self, settings=SETTINGS):
-        """Returns the digests of the run on one machine, which every other run must have."""
-        self.finish(self.evolve("local", settings=settings))
-        return digests(self.folder / "local.cambrian")
+    def local_digests(self, settings=SETTINGS, count=GENERATIONS):
+        """Returns the digests of the first generations of the run on one machine, which every other
+        run must have."""
+        def compute(most):
+            self.finish(self.evolve("local", "--generations", most, settings=settings))
+            return digests(self.folder / "local.cambrian")
+
+        return digests_of_run(settings, count, compute)
+
+    def evolve_until(self, wanted, url, *options, least=1):
+        """Repeats the run, which must be the one on one machine, at least so often and until the
+        sums of all counts are as wanted: on a busy machine a short run may end before workers
+        answer. Returns the generations of all runs."""
+        expected = self.local_digests()
+        generations = []
+        for number in range(1, MOST_RUNS + 1):
+            run = self.evolve(f"run{number}", "--cluster", url, *options)
+            generations += self.finish(run)
+            self.assert_same_run(expected, f"run{number}")
+            self.assertNotIn("permit", run.log.read_text())
+            if number >= least and wanted(self.sums(generations)):
+                return generations
+        self.fail(f"not as wanted: {self.sums(generations)}")
 
     def end_and_compare(self, run, name, settings, most=None):
         """Ends a long run and compares its finished generations, or so many of them, with those of
@@ -131,9 +154,7 @@ class ClusterTest(ProgramTest):
         self.interrupt(run)
         found = digests(self.folder / f"{name}.cambrian")[:most]
         self.assertGreaterEqual(len(found), 2, run.log.read_text())
-        alone = f"{name}_alone"
-        self.finish(self.evolve(alone, "--generations", len(found), settings=settings))
-        self.assert_same_run(found, alone)
+        self.assertEqual(found, self.local_digests(settings, len(found)))
 
     def assert_same_run(self, expected, name):
         self.assertEqual(digests(self.folder / f"{name}.cambrian"), expected)

@@ -68,7 +68,7 @@ class Soak(ClusterTest):
     def test_memory_stays_flat_and_streams_are_left_empty(self):
         chance = random.Random(1)
         settings = SETTINGS.format(GENERATIONS, SHORT_TRIAL)
-        expected = self.local_digests(settings)
+        expected = self.local_digests(settings, GENERATIONS)
         profiles = free_port()
         os.environ["GOGC"] = "10"  # %; the server collects whenever its heap has grown by so much
         server = self.start_server(f"prof_port: {profiles}\n")

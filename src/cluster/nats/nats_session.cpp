@@ -21,6 +21,7 @@ namespace cambrian {
 namespace {
 
 constexpr std::int64_t kConnectWait = 2000;       // ms
+constexpr int kConnectTries = 3;                  // while a server refuses the credentials
 constexpr std::int64_t kPingInterval = 2000;      // ms
 constexpr int kPingsUnanswered = 2;               // afterwards the connection counts as lost
 constexpr std::int64_t kWriteWait = 2000;         // ms
@@ -93,6 +94,15 @@ LinkFailure connection_failure(natsStatus status, const ClusterAddress& address)
         default:
             return {fmt::format("cannot connect to {}: {}", servers, reason), true};
     }
+}
+
+// Servers refuse one in about 600 signatures that libnats 3.4 makes with the right key. Each
+// attempt signs something else.
+natsStatus connect_with(natsOptions* options, natsConnection** connection) {
+    natsStatus status = NATS_CONNECTION_AUTH_FAILED;
+    for (int i = 0; i < kConnectTries && status == NATS_CONNECTION_AUTH_FAILED; ++i)
+        status = natsConnection_Connect(connection, options);
+    return status;
 }
 
 using Failure = std::optional<LinkFailure>;
@@ -233,7 +243,7 @@ std::variant<std::shared_ptr<NatsSession>, LinkFailure> NatsSession::connect(
     session->events_ = std::make_unique<NatsEvents>();
     session->events_->attach(made);
     natsConnection* connection = nullptr;
-    const natsStatus status = natsConnection_Connect(&connection, made);
+    const natsStatus status = connect_with(made, &connection);
     if (status != NATS_OK) return connection_failure(status, address);
     session->connection_.reset(connection);
     jsOptions streaming;
