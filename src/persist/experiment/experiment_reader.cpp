@@ -165,14 +165,13 @@ private:
     }
 
     void read_journal() {
+        count_commands();
         read_places();
         Statement row = database_.prepare(
             "SELECT generation, command, settings, share, size, genotype FROM journal ORDER BY id");
-        std::size_t commands = 0;
         const std::int64_t present =
             database_.integer("SELECT ifnull(max(generation) + 1, 0) FROM generations");
         while (row.step()) {
-            check_count(++commands, "commands");
             std::uint32_t generation = 0;
             read_column(row, 0, generation);
             if (generation > present) {
@@ -184,18 +183,25 @@ private:
         if (!read_.saved.settings) throw DatabaseError("the journal has no beginning");
     }
 
-    void read_places() {
-        // Every row is counted, so that an endless table is refused.
-        Statement row =
-            database_.prepare("SELECT generation, command, settings FROM journal ORDER BY id");
+    // Every row is counted before any is read, so that an endless table is refused at once.
+    void count_commands() {
+        Statement row = database_.prepare("SELECT command FROM journal ORDER BY id");
         std::size_t commands = 0;
         std::int64_t changes = 0;  // includes the settings at the start
         while (row.step()) {
             check_count(++commands, "commands");
-            if (row.text(1) != "start" && row.text(1) != "settings") continue;
+            if (row.text(0) != "start" && row.text(0) != "settings") continue;
             if (++changes > kMostSettingsChanges + 1)
                 throw DatabaseError(
                     fmt::format("more than {} changes of settings", kMostSettingsChanges));
+        }
+    }
+
+    void read_places() {
+        Statement row = database_.prepare(
+            "SELECT generation, command, settings FROM journal WHERE command IN ('start', "
+            "'settings') ORDER BY id");
+        while (row.step()) {
             std::uint32_t generation = 0;
             read_column(row, 0, generation);
             const SettingsPtr present = settings(row.integer(2));
