@@ -69,7 +69,7 @@ class Preserve(ProgramTest):
     def test_a_preserve_whose_edges_meet_is_resumed_and_verified(self):
         self.write("torus.toml", POND + 'edges = "wrap"\n')
         uncut = self.rows("torus.toml", "-f", *SWIMMERS, "--seconds", 120, "-t", 2)
-        self.assertNotEqual(uncut, self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 120))
+        self.assertNotEqual(uncut[:6], self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 60))
         self.rows("torus.toml", "-f", *SWIMMERS, "--seconds", 75, "-o", "a.cambrian")
         self.assertEqual(self.rows("-r", "a.cambrian", "--seconds", 120), uncut[6:])
         self.assertIn("replay verified, 3 snapshots up to 120 s",

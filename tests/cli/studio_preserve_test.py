@@ -158,7 +158,7 @@ class StudioPreserve(StudioTest):
             laws = dict(file.execute("SELECT what, x FROM interventions WHERE what LIKE 'law %'"))
         self.assertEqual((laws["law preserve.growth-time"], laws["law preserve.plant-energy"]),
                          (30, 4))
-        self.run_well("preserve", "--resume", kept, "--seconds", 60)
+        self.run_well("preserve", "--resume", kept, "--seconds", 30)
         self.run_well("verify", kept)
 
     def test_pins_are_inherited_and_kept(self):
