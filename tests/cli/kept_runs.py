@@ -23,12 +23,12 @@ def digests_of_run(settings, count, compute):
     folder.mkdir(parents=True, exist_ok=True)
     program = pathlib.Path(CAMBRIAN).read_bytes()
     path = folder / f"{hashlib.sha256(program + settings.encode()).hexdigest()}.json"
-    with open(path, "a+", encoding="utf-8") as file:
-        fcntl.flock(file, fcntl.LOCK_EX)  # a test that needs the same run waits for it
-        file.seek(0)
-        kept = json.loads(file.read() or "[]")
+    with open(path.with_suffix(".lock"), "w", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # a test that needs the same run waits for it
+        kept = json.loads(path.read_text()) if path.exists() else []
         if len(kept) < count:
             kept = compute(max(count, LEAST))
-            file.truncate(0)
-            file.write(json.dumps(kept))
+            complete = path.with_suffix(".new")
+            complete.write_text(json.dumps(kept))
+            complete.replace(path)
         return kept[:count]
