@@ -133,6 +133,13 @@ public:
     }
 
 private:
+    // A row of the journal with settings.
+    struct Change {
+        bool is_start = false;
+        std::int64_t settings = 0;  // their row
+        std::uint32_t generation = 0;
+    };
+
     SettingsPtr settings(std::int64_t id) {
         SettingsPtr& place = settings_[id];
         if (!place) place = read_settings(database_, id, kinds_);
@@ -165,13 +172,14 @@ private:
     }
 
     void read_journal() {
-        count_commands();
         read_places();
         Statement row = database_.prepare(
             "SELECT generation, command, settings, share, size, genotype FROM journal ORDER BY id");
+        std::size_t commands = 0;
         const std::int64_t present =
             database_.integer("SELECT ifnull(max(generation) + 1, 0) FROM generations");
         while (row.step()) {
+            check_count(++commands, "commands");
             std::uint32_t generation = 0;
             read_column(row, 0, generation);
             if (generation > present) {
@@ -183,30 +191,26 @@ private:
         if (!read_.saved.settings) throw DatabaseError("the journal has no beginning");
     }
 
-    // Every row is counted before any is read, so that an endless table is refused at once.
-    void count_commands() {
-        Statement row = database_.prepare("SELECT command FROM journal ORDER BY id");
+    void read_places() {
+        // Every row is counted before settings are read, so that an endless table is refused.
+        Statement row =
+            database_.prepare("SELECT generation, command, settings FROM journal ORDER BY id");
         std::size_t commands = 0;
-        std::int64_t changes = 0;  // includes the settings at the start
+        std::vector<Change> changes;  // includes the settings at the start
         while (row.step()) {
             check_count(++commands, "commands");
-            if (row.text(0) != "start" && row.text(0) != "settings") continue;
-            if (++changes > kMostSettingsChanges + 1)
+            const bool is_start = row.text(1) == "start";
+            if (!is_start && row.text(1) != "settings") continue;
+            if (std::ssize(changes) > kMostSettingsChanges)
                 throw DatabaseError(
                     fmt::format("more than {} changes of settings", kMostSettingsChanges));
+            Change& change = changes.emplace_back(Change{is_start, row.integer(2)});
+            read_column(row, 0, change.generation);
         }
-    }
-
-    void read_places() {
-        Statement row = database_.prepare(
-            "SELECT generation, command, settings FROM journal WHERE command IN ('start', "
-            "'settings') ORDER BY id");
-        while (row.step()) {
-            std::uint32_t generation = 0;
-            read_column(row, 0, generation);
-            const SettingsPtr present = settings(row.integer(2));
-            if (row.text(1) == "start") places_.begin(*present);
-            places_.change(generation, *present);
+        for (const Change& change : changes) {
+            const SettingsPtr present = settings(change.settings);
+            if (change.is_start) places_.begin(*present);
+            places_.change(change.generation, *present);
         }
     }
 
