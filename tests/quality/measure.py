@@ -64,10 +64,12 @@ def judge_strength(table, rows, random, worlds):
                                         for world, each in zip(worlds, ratios))
     table.add("best, confirmed, against one-line: geometric mean, each world", found,
               "≥ 1.5, no world below 1", mean >= 1.5 and min(ratios) >= 1)
-    ratios = [ratio(random, world, DEFAULTS, "random-search") for world in worlds]
-    table.add("best against random search", ", ".join(
-        f"{world} {each:.1f}" for world, each in zip(worlds, ratios)), "≥ 4 each",
-              min(ratios) >= 4)
+    for arm, founders in [("random-search", "the same founders"),
+                          ("plain-random", "founders without a rhythm")]:
+        ratios = [ratio(random, world, DEFAULTS, arm) for world in worlds]
+        table.add(f"best against random search with {founders}", ", ".join(
+            f"{world} {each:.1f}" for world, each in zip(worlds, ratios)), "≥ 4 each",
+                  min(ratios) >= 4)
     for world in worlds:
         scores = of(rows, world, DEFAULTS)
         worst = min(scores) / max(statistics.median(scores), 1e-9)
@@ -138,7 +140,8 @@ def main():
         sys.exit(f"unknown world {unknown}; known are {', '.join(WORLDS)}")
     arms = [HERE / f"{arm}.toml" for arm in ["one-line", DEFAULTS, "hasty"]]
     rows = compare(options, "arms", options.trials, arms)
-    random = compare(options, "random", options.random_trials, arms[1:2], "--random-search")
+    random = compare(options, "random", options.random_trials,
+                     [arms[1], HERE / "plain-random.toml"], "--random-search")
     table = Table()
     judge_strength(table, rows, random, options.worlds)
     judge_anchors(table, rows, options.worlds)
