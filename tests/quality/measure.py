@@ -35,6 +35,14 @@ def compare(options, folder, trials, arms, *more):
             and int(row["trials"]) == trials]
 
 
+def settings_of(arm):
+    return HERE / f"{arm}.toml"
+
+
+def in_words(worlds, ratios, digits):
+    return ", ".join(f"{world} {each:.{digits}f}" for world, each in zip(worlds, ratios))
+
+
 def of(rows, world, arm, column="confirmed"):
     return [float(row[column]) for row in rows if (row["world"], row["arm"]) == (world, arm)]
 
@@ -60,16 +68,14 @@ class Table:
 def judge_strength(table, rows, random, worlds):
     ratios = [ratio(rows, world, DEFAULTS, "one-line") for world in worlds]
     mean = math.exp(statistics.fmean(math.log(max(each, 1e-9)) for each in ratios))
-    found = f"{mean:.2f}; " + ", ".join(f"{world} {each:.2f}"
-                                        for world, each in zip(worlds, ratios))
-    table.add("best, confirmed, against one-line: geometric mean, each world", found,
-              "≥ 1.5, no world below 1", mean >= 1.5 and min(ratios) >= 1)
+    table.add("best, confirmed, against one-line: geometric mean, each world",
+              f"{mean:.2f}; {in_words(worlds, ratios, 2)}", "≥ 1.5, no world below 1",
+              mean >= 1.5 and min(ratios) >= 1)
     for arm, founders in [("random-search", "the same founders"),
                           ("plain-random", "founders without a rhythm")]:
         ratios = [ratio(random, world, DEFAULTS, arm) for world in worlds]
-        table.add(f"best against random search with {founders}", ", ".join(
-            f"{world} {each:.1f}" for world, each in zip(worlds, ratios)), "≥ 4 each",
-                  min(ratios) >= 4)
+        table.add(f"best against random search with {founders}", in_words(worlds, ratios, 1),
+                  "≥ 4 each", min(ratios) >= 4)
     for world in worlds:
         scores = of(rows, world, DEFAULTS)
         worst = min(scores) / max(statistics.median(scores), 1e-9)
@@ -138,10 +144,10 @@ def main():
     options = parser.parse_args()
     for unknown in set(options.worlds) - set(WORLDS):
         sys.exit(f"unknown world {unknown}; known are {', '.join(WORLDS)}")
-    arms = [HERE / f"{arm}.toml" for arm in ["one-line", DEFAULTS, "hasty"]]
-    rows = compare(options, "arms", options.trials, arms)
+    rows = compare(options, "arms", options.trials,
+                   map(settings_of, ["one-line", DEFAULTS, "hasty"]))
     random = compare(options, "random", options.random_trials,
-                     [arms[1], HERE / "plain-random.toml"], "--random-search")
+                     map(settings_of, [DEFAULTS, "plain-random"]), "--random-search")
     table = Table()
     judge_strength(table, rows, random, options.worlds)
     judge_anchors(table, rows, options.worlds)
