@@ -2,7 +2,7 @@
 // are corrected, or inside a chunk's compressed text. Otherwise nearly every change would fail at
 // the first checksum.
 
-#include "persist/text/deflated_text.h"
+#include "core/deflated_text.h"
 
 #include <algorithm>
 #include <array>

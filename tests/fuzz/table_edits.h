@@ -3,9 +3,9 @@
 // Edits of any table of a database, chosen by the input's bytes: cells of every type, rows, and
 // genotypes with their lengths and owners.
 
+#include "core/deflated_text.h"
 #include "fuzz/byte_source.h"
 #include "persist/sqlite/database.h"
-#include "persist/text/deflated_text.h"
 
 #include <optional>
 #include <string>

@@ -4,8 +4,8 @@
 
 #include "cluster/messages/unit_text.h"
 #include "cluster/units/unit_child.h"
+#include "core/deflated_text.h"
 #include "fuzz/fuzz_target.h"
-#include "persist/text/deflated_text.h"
 #include "support/kinds.h"
 
 #include <string>

@@ -74,7 +74,7 @@ TEST_CASE("the parent of most living children comes into the museum every ten mi
     CHECK(museum->back().tick == kTicksPerMuseumVisit);
     CHECK(museum->back().reason == museum_reason::kChildren);
     CHECK(museum->back().count == parent->life.children);
-    CHECK(*museum->back().genome == parent->genome());
+    CHECK(*museum->back().genome == *parent->genome());
     const auto earlier = folder.path() / "earlier.cambrian";
     world.file.reset();
     const auto saved = load_preserve(path, kinds());

@@ -4,11 +4,11 @@
 // before it reads them. A unit is one line of JSON that describes it, followed by the deflated
 // creature documents.
 
+#include "core/deflated_text.h"
 #include "core/result.h"
 #include "evolution/evaluation/evaluation.h"
 #include "evolution/kinds/evolution_kinds.h"
 #include "persist/creature/creature_format.h"
-#include "persist/text/deflated_text.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,11 +2,11 @@
 
 // Genotypes in experiment files: compressed creature documents without a score.
 
+#include "core/deflated_text.h"
 #include "core/result.h"
 #include "evolution/individual/individual.h"
 #include "evolution/kinds/evolution_kinds.h"
 #include "persist/creature/creature_format.h"
-#include "persist/text/deflated_text.h"
 
 #include <cstddef>
 #include <string>

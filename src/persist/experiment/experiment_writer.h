@@ -3,12 +3,12 @@
 // Writes an experiment into its tables, one transaction for each call. Throws DatabaseError; a
 // failed call changes nothing and may be repeated.
 
+#include "core/deflated_text.h"
 #include "evolution/engine/experiment_log.h"
 #include "persist/experiment/experiment_reader.h"
 #include "persist/records/kept_individuals.h"
 #include "persist/records/picking_record.h"
 #include "persist/sqlite/database.h"
-#include "persist/text/deflated_text.h"
 
 #include <cstdint>
 #include <filesystem>

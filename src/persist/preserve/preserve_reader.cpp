@@ -173,7 +173,8 @@ Result<PreserveState> read_snapshot(const Database& database, const SnapshotEntr
     Result<PreserveState> state = state_of(words, [&](std::uint64_t number) -> Result<Origin> {
         origin.bind(number);
         if (!origin.step()) return Error{fmt::format("creature {} is missing", number)};
-        return Origin{genotype(origin, 0, genotypes), std::string(origin.text(2).substr(0, 64))};
+        return Origin{PackedGenome(*genotype(origin, 0, genotypes)),
+                      std::string(origin.text(2).substr(0, 64))};
     });
     if (state && state->tick != entry.tick) return Error{"the snapshot is of another time"};
     return state;

@@ -107,7 +107,6 @@ private:
     Statement put_life_, put_genotype_, put_founder_, put_series_, put_intervention_, put_snapshot_,
         put_piece_;
     GenotypePacker packer_;
-    Deflater deflater_;
 };
 
 // Returns the ticks of all snapshots, in ascending order.

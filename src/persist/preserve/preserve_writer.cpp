@@ -153,7 +153,8 @@ void PreserveWriter::put_life(const Life& life) {
 void PreserveWriter::put_snapshot(const PreserveState& state) {
     const std::vector<std::uint64_t> words = words_of(state);
     put_snapshot_.bind(state.tick, digest_of(words), std::uint64_t{words.size()});
-    put_snapshot_.bind_bytes(deflater_.deflate(bytes_of(words)));
+    Deflater deflater;
+    put_snapshot_.bind_bytes(deflater.deflate(bytes_of(words)));
     put_snapshot_.finish();
 }
 
@@ -168,7 +169,7 @@ void PreserveWriter::thin_snapshots(std::uint64_t tick) {
 void PreserveWriter::write(const Chronicle& chronicle, const Preserve& preserve) {
     for (const Life& life : chronicle.born) {
         put_life(life);
-        insert_genotype(put_genotype_, life.number, life.genome);
+        insert_genotype(put_genotype_, life.number, life.genome.unpack());
     }
     for (const Life& life : chronicle.died)
         put_life(life);

@@ -40,7 +40,7 @@ const Resident* nearest_mate(const Resident& parent, const Residents& all,
 
 IndividualPtr individual_of(const Resident& resident, const ExperimentSettings& settings) {
     return std::make_shared<const Individual>(make_individual(
-        resident.life.genome, settings, 0, resident.life.number, resident.life.method));
+        resident.genome(), settings, 0, resident.life.number, resident.life.method));
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ IndividualPtr individual_of(const Resident& resident, const ExperimentSettings& 
 Life conceive(const Resident& parent, const Residents& all, const ExperimentSettings& settings,
               const EvolutionKinds& kinds, std::uint64_t attempt, std::uint64_t tick,
               RandomStream& stream) {
-    const BreedingKind* method = &draw_method(parent.genome(), settings, kinds, stream);
+    const BreedingKind* method = &draw_method(*parent.genome(), settings, kinds, stream);
     const Resident* mate =
         method->parents > 1 ? nearest_mate(parent, all, settings, tick) : nullptr;
     if (mate == nullptr && method->parents > 1) method = &single_parent_method(kinds.breeding);
@@ -60,7 +60,7 @@ Life conceive(const Resident& parent, const Residents& all, const ExperimentSett
             .parents = {parent.life.number, mate == nullptr ? 0 : mate->life.number},
             .method = child->method,
             .mutations = static_cast<std::uint32_t>(child->mutations.size()),
-            .genome = child->genome,
+            .genome = PackedGenome(*child->genome),
             .born = tick};
 }
 

@@ -13,7 +13,7 @@ Result<std::unique_ptr<Resident>> Resident::grow(Life begun, const Kinds& kinds,
                                                  const ExperimentSettings& settings,
                                                  const CommonSenses& senses) {
     auto phenotype = std::make_unique<Phenotype>(
-        express(*begun.genome, kinds, settings.expression, settings.world.scene));
+        express(*begun.genome.unpack(), kinds, settings.expression, settings.world.scene));
     if (settings.expression.strict_overlap && overlaps_itself(phenotype->plan))
         return Error{"parts overlap that no joint connects"};
     auto scene =

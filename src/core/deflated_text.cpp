@@ -1,4 +1,4 @@
-#include "persist/text/deflated_text.h"
+#include "core/deflated_text.h"
 
 #include <libdeflate.h>
 
