@@ -40,7 +40,7 @@ Result<ExperimentSettings> settings_in(const NamedSettings* world, const NamedSe
     if (settings->goal != alone->goal || settings->world.environment != alone->world.environment) {
         return Error{
             fmt::format("\"{}\" changes the goal or the environment of the world \"{}\"; expected "
-                        "only what is to be compared",
+                        "only what is to be compared; every further world needs --world before it",
                         arm.name, world->name)};
     }
     return settings;

@@ -63,7 +63,7 @@ TEST_CASE("without a world each arm says it itself", "[comparison]") {
 TEST_CASE("an arm may not change its world, nor two things have a name", "[comparison]") {
     CHECK(message_of({.worlds = {kWater}, .arms = {kMoon}, .seeds = {1}, .trials = 1}) ==
           "\"moon\" changes the goal or the environment of the world \"water\"; expected only "
-          "what is to be compared");
+          "what is to be compared; every further world needs --world before it");
     CHECK(message_of({.arms = {kPlain, kPlain}, .seeds = {1}, .trials = 1}) ==
           "two are called \"plain\"; give one file another name");
     const NamedSettings random = named(kRandomSearch, "");

@@ -10,12 +10,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cambrian {
 namespace {
 
-constexpr float kCreatureWidth = 74.0F;
-constexpr float kCreatureHeight = 78.0F;
+constexpr float kCreatureWidth = 74.0F;   // at least
+constexpr float kCreatureHeight = 78.0F;  // about
+constexpr float kHeightShare = 0.1F;      // by which the height may differ
 constexpr float kCreatureGap = 6.0F;
 constexpr float kStarRoom = 22.0F;      // side of the square in the tile's corner for the star
 constexpr std::size_t kNotedTiles = 4;  // number of tiles whose positions are recorded
@@ -131,6 +133,12 @@ Rect star_of(const Rect& tile) {
     return {tile.x + tile.width - px(kStarRoom), tile.y, px(kStarRoom), px(kStarRoom)};
 }
 
+// Returns the number of rows of tiles that fill a height best.
+float rows_in(float room) {
+    return std::max(1.0F,
+                    std::round((room + px(kCreatureGap)) / px(kCreatureHeight + kCreatureGap)));
+}
+
 std::string star_words(bool starred) {
     return starred ? "Takes the star away."
                    : "A star: the creature stays when its generation has "
@@ -180,19 +188,28 @@ void PopulationPanel::draw(const FrameContext& frame, Requests& out) {
     ImGui::EndChild();
 }
 
+// Sizes the tiles so that columns and rows fill the room.
+void PopulationPanel::fit_tiles(const ImVec2& room) {
+    const float gap = px(kCreatureGap);
+    columns_ =
+        static_cast<std::size_t>(std::max(1.0F, (room.x + gap) / (px(kCreatureWidth) + gap)));
+    const float height = (room.y + gap) / rows_in(room.y) - gap;
+    tile_size_ = {std::floor((room.x + gap) / static_cast<float>(columns_) - gap),
+                  std::floor(std::clamp(height, (1.0F - kHeightShare) * px(kCreatureHeight),
+                                        (1.0F + kHeightShare) * px(kCreatureHeight)))};
+}
+
 void PopulationPanel::draw_tiles(const FrameContext& frame, Requests& out) {
-    const float room = ImGui::GetContentRegionAvail().x + px(kCreatureGap);
-    const auto columns =
-        static_cast<std::size_t>(std::max(1.0F, room / px(kCreatureWidth + kCreatureGap)));
-    follow_keys(columns, frame, out);
-    const std::size_t rows = (tiles_.size() + columns - 1) / columns;
+    fit_tiles(ImGui::GetContentRegionAvail());
+    follow_keys(frame, out);
+    const std::size_t rows = (tiles_.size() + columns_ - 1) / columns_;
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rows), px(kCreatureHeight + kCreatureGap));
+    clipper.Begin(static_cast<int>(rows), tile_size_.y + px(kCreatureGap));
     while (clipper.Step()) {
-        const std::size_t first = static_cast<std::size_t>(clipper.DisplayStart) * columns;
-        const std::size_t end = static_cast<std::size_t>(clipper.DisplayEnd) * columns;
+        const std::size_t first = static_cast<std::size_t>(clipper.DisplayStart) * columns_;
+        const std::size_t end = static_cast<std::size_t>(clipper.DisplayEnd) * columns_;
         for (std::size_t i = first; i < std::min(end, tiles_.size()); ++i) {
-            if (i % columns > 0) ImGui::SameLine();
+            if (i % columns_ > 0) ImGui::SameLine();
             draw_tile(i, frame, out);
         }
     }
@@ -201,10 +218,9 @@ void PopulationPanel::draw_tiles(const FrameContext& frame, Requests& out) {
 void PopulationPanel::draw_tile(std::size_t index, const FrameContext& frame, Requests& out) {
     const Tile& tile = tiles_[index];
     const std::string name = fmt::format("tile {}", index);
-    const bool pressed =
-        ImGui::InvisibleButton(name.c_str(), {px(kCreatureWidth), px(kCreatureHeight)});
+    const bool pressed = ImGui::InvisibleButton(name.c_str(), tile_size_);
     const ImVec2 low = ImGui::GetItemRectMin();
-    const Rect area = {low.x, low.y, px(kCreatureWidth), px(kCreatureHeight)};
+    const Rect area = {low.x, low.y, tile_size_.x, tile_size_.y};
     const Rect star = star_of(area);
     if (index < kNotedTiles) {
         note_place(name);
@@ -248,12 +264,11 @@ void PopulationPanel::draw_content(const Tile& tile, const Rect& area, const Fra
 }
 
 // The arrow keys move from the displayed creature, or to the first tile if it has none.
-void PopulationPanel::follow_keys(std::size_t columns, const FrameContext& frame,
-                                  Requests& out) const {
+void PopulationPanel::follow_keys(const FrameContext& frame, Requests& out) const {
     if (!ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows)) return;
     if (ImGui::GetIO().WantTextInput) return;
     const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
-    const auto row = static_cast<std::ptrdiff_t>(columns);
+    const auto row = static_cast<std::ptrdiff_t>(columns_);
     const std::ptrdiff_t steps = pressed(ImGuiKey_RightArrow)  ? 1
                                  : pressed(ImGuiKey_LeftArrow) ? -1
                                  : pressed(ImGuiKey_DownArrow) ? row
@@ -268,8 +283,8 @@ void PopulationPanel::follow_keys(std::size_t columns, const FrameContext& frame
     if (wanted < 0 || wanted > last) return;
     out.ask(ShowIndividual{tiles_[static_cast<std::size_t>(wanted)].creature});
     const std::ptrdiff_t line = wanted / row;
-    const float top = static_cast<float>(line) * px(kCreatureHeight + kCreatureGap);
-    const float lowest = top + px(kCreatureHeight) - ImGui::GetWindowHeight();
+    const float top = static_cast<float>(line) * (tile_size_.y + px(kCreatureGap));
+    const float lowest = top + tile_size_.y - ImGui::GetWindowHeight();
     ImGui::SetScrollY(std::clamp(ImGui::GetScrollY(), std::min(lowest, top), top));
 }
 
