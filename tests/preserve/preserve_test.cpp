@@ -5,6 +5,7 @@
 #include "support/build_speed.h"
 #include "worlds.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string>
@@ -13,6 +14,18 @@ namespace cambrian {
 namespace {
 
 using namespace test;
+
+// Returns how many random founders have only joints that follow a neuron of their own part.
+std::ptrdiff_t rhythmic_founders(const ExperimentSettings& settings) {
+    const auto founders = random_founders(settings, kinds());
+    REQUIRE(founders);
+    const auto follows_itself = [](const NodeGene& node) {
+        return node.effector.source.kind == SourceKind::kLocalNeuron;
+    };
+    return std::count_if(founders->begin(), founders->end(), [&](const GenomePtr& founder) {
+        return std::all_of(founder->nodes.begin(), founder->nodes.end(), follows_itself);
+    });
+}
 
 TEST_CASE("energy is constant to the last unit while creatures feed, breed and die", "[preserve]") {
     ExperimentSettings settings = small_world();
@@ -33,6 +46,13 @@ TEST_CASE("energy is constant to the last unit while creatures feed, breed and d
     }
     CHECK(births > 16);
     CHECK(deaths > 0);
+}
+
+TEST_CASE("random founders move in one rhythm unless the settings say otherwise", "[preserve]") {
+    ExperimentSettings settings = preserve_defaults(kinds());
+    CHECK(rhythmic_founders(settings) == settings.preserve.founders);
+    settings.founders.rhythmic_share = 0.0;
+    CHECK(rhythmic_founders(settings) < settings.preserve.founders / 2);
 }
 
 TEST_CASE("threads do not change the bits of a hundred creatures", "[preserve][threads]") {

@@ -52,6 +52,11 @@ void add_world(TableBuilder& table) {
         "The number of creatures at the start.",
         [](Settings & s) -> auto& { return s.preserve.founders; });
     table.number(
+        "rhythmic", "Rhythmic founders", "", Range{0, 1},
+        "The share of random founders whose limbs are chains, many of them in mirrored pairs, and "
+        "move at one frequency with random phases. Most others starve in water.",
+        [](Settings & s) -> auto& { return s.founders.rhythmic_share; });
+    table.number(
         "max-population", "Creatures at most", "creatures", Range{1, 1000},
         "The number of creatures from which on nobody is born.",
         [](Settings & s) -> auto& { return s.preserve.max_population; });
@@ -214,7 +219,7 @@ ExperimentSettings preserve_defaults(const EvolutionKinds& kinds, bool has_groun
     } else {
         settings.world.environment = water();
     }
-    settings.founders.rhythmic_share = 0.0;
+    settings.founders.rhythmic_share = 1.0;
     for (const OrganKind& organ : kinds.creature.organs.all()) {
         if (organ.eats) settings.founders.organs[organ.id] = true;
     }
