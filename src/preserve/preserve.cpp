@@ -2,6 +2,7 @@
 
 #include "core/assert.h"
 #include "core/text/number_text.h"
+#include "core/unused_memory.h"
 #include "math/elementary.h"
 #include "preserve/life/feeding.h"
 #include "preserve/life/lineage.h"
@@ -652,6 +653,7 @@ void Preserve::rest() {
     snapshot_ = std::make_shared<const PreserveState>(save());
     const Status restored = restore(*snapshot_);
     CAMBRIAN_ASSERT(restored.has_value(), "a snapshot of this preserve");
+    release_unused_memory();
 }
 
 }  // namespace cambrian

@@ -7,7 +7,6 @@
 #include "app/trial/founder_files.h"
 #include "app/trial/score_notice.h"
 #include "core/stopwatch.h"
-#include "core/unused_memory.h"
 #include "persist/preserve/preserve_file.h"
 #include "persist/settings/settings_file.h"
 #include "preserve/laws.h"
@@ -163,11 +162,8 @@ std::uint64_t last_tick(const PreserveRun& run) {
 Status keep(World& world, Chronicle& pending, bool at_end) {
     const bool due = at_end || world.preserve->ticks() % kTicksPerSnapshot == 0;
     if (!due) return {};
-    Chronicle chronicle = std::exchange(pending, {});
-    Status kept = world.file ? world.file->write(chronicle, *world.preserve) : Status();
-    chronicle = {};
-    release_unused_memory();
-    return kept;
+    const Chronicle chronicle = std::exchange(pending, {});
+    return world.file ? world.file->write(chronicle, *world.preserve) : Status();
 }
 
 // Computes until the end is reached, an interruption is requested, or writing fails.

@@ -51,11 +51,7 @@ void add_world(TableBuilder& table) {
         "founders", "Founders", "creatures", Range{1, 1000},
         "The number of creatures at the start.",
         [](Settings & s) -> auto& { return s.preserve.founders; });
-    table.number(
-        "rhythmic", "Rhythmic founders", "", Range{0, 1},
-        "The share of random founders whose limbs are chains, many of them in mirrored pairs, and "
-        "move at one frequency with random phases. Most others starve in water.",
-        [](Settings & s) -> auto& { return s.founders.rhythmic_share; });
+    setting_table::add_rhythmic_share(table);
     table.number(
         "max-population", "Creatures at most", "creatures", Range{1, 1000},
         "The number of creatures from which on nobody is born.",

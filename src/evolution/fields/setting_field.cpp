@@ -164,13 +164,7 @@ void add_population(std::vector<SettingField>& fields) {
             "of its numbers changed a little.",
             [](Settings & s) -> auto& { return s.population.tuned; })
         .later = true;
-    SettingField& rhythmic = table.number(
-        "rhythmic", "Rhythmic founders", "", Range{0, 1},
-        "The share of random creatures whose limbs are chains, many of them in mirrored pairs, and "
-        "move at one frequency with random phases.",
-        [](Settings & s) -> auto& { return s.founders.rhythmic_share; });
-    rhythmic.live = false;
-    rhythmic.later = true;
+    setting_table::add_rhythmic_share(table);
     table
         .choice(
             "fill", "Fill up with", {"mutants", "random"},
@@ -347,6 +341,16 @@ Status check_together(const Settings& s, const EvolutionKinds& kinds) {
 }  // namespace
 
 namespace setting_table {
+
+void add_rhythmic_share(TableBuilder& table) {
+    SettingField& rhythmic = table.number(
+        "rhythmic", "Rhythmic founders", "", Range{0, 1},
+        "The share of random creatures whose limbs are chains, many of them in mirrored pairs, and "
+        "move at one frequency with random phases.",
+        [](Settings & s) -> auto& { return s.founders.rhythmic_share; });
+    rhythmic.live = false;
+    rhythmic.later = true;
+}
 
 Status check_field(const SettingField& field, const SettingRef& ref) {
     return std::visit(

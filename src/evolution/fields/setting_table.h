@@ -19,7 +19,8 @@ void add_environment(std::vector<SettingField>& fields);
 // Adds the goal. check_goal fails if its environment or sensors make the goal impossible.
 void add_goal(std::vector<SettingField>& fields, const EvolutionKinds& kinds);
 Status check_goal(const Settings& settings, const EvolutionKinds& kinds);
-void add_trials(TableBuilder& trial);  // number of trials per creature and their jitter
+void add_rhythmic_share(TableBuilder& table);  // of random creatures
+void add_trials(TableBuilder& trial);          // number of trials per creature and their jitter
 // The settings that enable kinds of joints, neuron functions, sensors, organs and references. The
 // check fails if no movable joint or no control remains.
 void add_body_kinds(std::vector<SettingField>& fields, const EvolutionKinds& kinds);

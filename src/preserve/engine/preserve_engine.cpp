@@ -1,7 +1,5 @@
 #include "preserve/engine/preserve_engine.h"
 
-#include "core/unused_memory.h"
-
 #include <algorithm>
 #include <exception>
 #include <variant>
@@ -101,7 +99,6 @@ void PreserveEngine::write() {
     if (const Status written = start_.log->write(unwritten_, *start_.preserve); !written)
         return stop_with(written.error().message);
     unwritten_ = {};
-    release_unused_memory();
     if (const Status kept = unwritten_pins_ ? start_.log->keep_pins(*unwritten_pins_) : Status();
         !kept)
         return stop_with(kept.error().message);

@@ -48,11 +48,11 @@ IndividualPtr individual_of(const Resident& resident, const ExperimentSettings& 
 Life conceive(const Resident& parent, const Residents& all, const ExperimentSettings& settings,
               const EvolutionKinds& kinds, std::uint64_t attempt, std::uint64_t tick,
               RandomStream& stream) {
-    const BreedingKind* method = &draw_method(*parent.genome(), settings, kinds, stream);
+    const IndividualPtr first = individual_of(parent, settings);
+    const BreedingKind* method = &draw_method(*first->genome, settings, kinds, stream);
     const Resident* mate =
         method->parents > 1 ? nearest_mate(parent, all, settings, tick) : nullptr;
     if (mate == nullptr && method->parents > 1) method = &single_parent_method(kinds.breeding);
-    const IndividualPtr first = individual_of(parent, settings);
     const IndividualPtr second = mate == nullptr ? first : individual_of(*mate, settings);
     const IndividualPtr child =
         make_child({first, second, *method}, settings, kinds, 0, attempt, stream);

@@ -56,4 +56,8 @@ void draw_creature_tile(ImDrawList& list, const Rect& area, const Phenotype& phe
     }
 }
 
+int tiles_across(float room, float width, float gap) {
+    return std::max(1, static_cast<int>((room + gap) / (width + gap)));
+}
+
 }  // namespace cambrian

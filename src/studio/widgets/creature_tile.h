@@ -8,4 +8,8 @@ namespace cambrian {
 // Draws a creature's body at rest as a small picture that fits an area, with Dear ImGui's shapes.
 void draw_creature_tile(ImDrawList& list, const Rect& area, const Phenotype& phenotype, double hue);
 
+// Returns how many tiles of a width fit side by side into a room with gaps between them, at least
+// one.
+int tiles_across(float room, float width, float gap);
+
 }  // namespace cambrian

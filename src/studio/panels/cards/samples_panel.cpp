@@ -54,9 +54,8 @@ void SamplesPanel::move_by_keys(std::size_t count, int columns) {
 }
 
 void SamplesPanel::draw_tiles(const SampleLibrary& library, Requests& out) {
-    const float step = px(kSampleWidth + kSampleGap);
     const int columns =
-        std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x + px(kSampleGap)) / step));
+        tiles_across(ImGui::GetContentRegionAvail().x, px(kSampleWidth), px(kSampleGap));
     const auto whole = static_cast<std::size_t>(
         std::count_if(library.samples.begin(), library.samples.end(),
                       [](const Sample& each) { return each.phenotype != nullptr; }));

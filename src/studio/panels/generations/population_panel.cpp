@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kCreatureWidth = 74.0F;   // at least
 constexpr float kCreatureHeight = 78.0F;  // about
-constexpr float kHeightShare = 0.1F;      // by which the height may differ
+constexpr float kHeightShare = 0.15F;     // by which the height may differ
 constexpr float kCreatureGap = 6.0F;
 constexpr float kStarRoom = 22.0F;      // side of the square in the tile's corner for the star
 constexpr std::size_t kNotedTiles = 4;  // number of tiles whose positions are recorded
@@ -133,12 +133,6 @@ Rect star_of(const Rect& tile) {
     return {tile.x + tile.width - px(kStarRoom), tile.y, px(kStarRoom), px(kStarRoom)};
 }
 
-// Returns the number of rows of tiles that fill a height best.
-float rows_in(float room) {
-    return std::max(1.0F,
-                    std::round((room + px(kCreatureGap)) / px(kCreatureHeight + kCreatureGap)));
-}
-
 std::string star_words(bool starred) {
     return starred ? "Takes the star away."
                    : "A star: the creature stays when its generation has "
@@ -188,39 +182,41 @@ void PopulationPanel::draw(const FrameContext& frame, Requests& out) {
     ImGui::EndChild();
 }
 
-// Sizes the tiles so that columns and rows fill the room.
-void PopulationPanel::fit_tiles(const ImVec2& room) {
+// Returns tiles of which columns and rows fill the room.
+PopulationPanel::TileGrid PopulationPanel::grid_in(const ImVec2& room) {
     const float gap = px(kCreatureGap);
-    columns_ =
-        static_cast<std::size_t>(std::max(1.0F, (room.x + gap) / (px(kCreatureWidth) + gap)));
-    const float height = (room.y + gap) / rows_in(room.y) - gap;
-    tile_size_ = {std::floor((room.x + gap) / static_cast<float>(columns_) - gap),
-                  std::floor(std::clamp(height, (1.0F - kHeightShare) * px(kCreatureHeight),
-                                        (1.0F + kHeightShare) * px(kCreatureHeight)))};
+    const float usual = px(kCreatureHeight);
+    const int columns = tiles_across(room.x, px(kCreatureWidth), gap);
+    const float rows = std::max(1.0F, std::round((room.y + gap) / (usual + gap)));
+    const float width = (room.x + gap) / static_cast<float>(columns) - gap;
+    const float height = std::clamp((room.y + gap) / rows - gap, (1.0F - kHeightShare) * usual,
+                                    (1.0F + kHeightShare) * usual);
+    return {static_cast<std::size_t>(columns), {std::floor(width), std::floor(height)}};
 }
 
 void PopulationPanel::draw_tiles(const FrameContext& frame, Requests& out) {
-    fit_tiles(ImGui::GetContentRegionAvail());
-    follow_keys(frame, out);
-    const std::size_t rows = (tiles_.size() + columns_ - 1) / columns_;
+    const TileGrid grid = grid_in(ImGui::GetContentRegionAvail());
+    follow_keys(grid, frame, out);
+    const std::size_t rows = (tiles_.size() + grid.columns - 1) / grid.columns;
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rows), tile_size_.y + px(kCreatureGap));
+    clipper.Begin(static_cast<int>(rows), grid.tile.y + px(kCreatureGap));
     while (clipper.Step()) {
-        const std::size_t first = static_cast<std::size_t>(clipper.DisplayStart) * columns_;
-        const std::size_t end = static_cast<std::size_t>(clipper.DisplayEnd) * columns_;
+        const std::size_t first = static_cast<std::size_t>(clipper.DisplayStart) * grid.columns;
+        const std::size_t end = static_cast<std::size_t>(clipper.DisplayEnd) * grid.columns;
         for (std::size_t i = first; i < std::min(end, tiles_.size()); ++i) {
-            if (i % columns_ > 0) ImGui::SameLine();
-            draw_tile(i, frame, out);
+            if (i % grid.columns > 0) ImGui::SameLine();
+            draw_tile(i, grid.tile, frame, out);
         }
     }
 }
 
-void PopulationPanel::draw_tile(std::size_t index, const FrameContext& frame, Requests& out) {
+void PopulationPanel::draw_tile(std::size_t index, const ImVec2& size, const FrameContext& frame,
+                                Requests& out) {
     const Tile& tile = tiles_[index];
     const std::string name = fmt::format("tile {}", index);
-    const bool pressed = ImGui::InvisibleButton(name.c_str(), tile_size_);
+    const bool pressed = ImGui::InvisibleButton(name.c_str(), size);
     const ImVec2 low = ImGui::GetItemRectMin();
-    const Rect area = {low.x, low.y, tile_size_.x, tile_size_.y};
+    const Rect area = {low.x, low.y, size.x, size.y};
     const Rect star = star_of(area);
     if (index < kNotedTiles) {
         note_place(name);
@@ -264,11 +260,12 @@ void PopulationPanel::draw_content(const Tile& tile, const Rect& area, const Fra
 }
 
 // The arrow keys move from the displayed creature, or to the first tile if it has none.
-void PopulationPanel::follow_keys(const FrameContext& frame, Requests& out) const {
+void PopulationPanel::follow_keys(const TileGrid& grid, const FrameContext& frame,
+                                  Requests& out) const {
     if (!ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows)) return;
     if (ImGui::GetIO().WantTextInput) return;
     const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
-    const auto row = static_cast<std::ptrdiff_t>(columns_);
+    const auto row = static_cast<std::ptrdiff_t>(grid.columns);
     const std::ptrdiff_t steps = pressed(ImGuiKey_RightArrow)  ? 1
                                  : pressed(ImGuiKey_LeftArrow) ? -1
                                  : pressed(ImGuiKey_DownArrow) ? row
@@ -283,8 +280,8 @@ void PopulationPanel::follow_keys(const FrameContext& frame, Requests& out) cons
     if (wanted < 0 || wanted > last) return;
     out.ask(ShowIndividual{tiles_[static_cast<std::size_t>(wanted)].creature});
     const std::ptrdiff_t line = wanted / row;
-    const float top = static_cast<float>(line) * (tile_size_.y + px(kCreatureGap));
-    const float lowest = top + tile_size_.y - ImGui::GetWindowHeight();
+    const float top = static_cast<float>(line) * (grid.tile.y + px(kCreatureGap));
+    const float lowest = top + grid.tile.y - ImGui::GetWindowHeight();
     ImGui::SetScrollY(std::clamp(ImGui::GetScrollY(), std::min(lowest, top), top));
 }
 

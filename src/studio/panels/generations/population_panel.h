@@ -27,18 +27,20 @@ private:
 
         friend bool operator==(const ListedFor&, const ListedFor&) = default;
     };
+    struct TileGrid {
+        std::size_t columns = 1;
+        ImVec2 tile;  // size of one, in pixels
+    };
+    static TileGrid grid_in(const ImVec2& room);
     void gather(const FrameContext& frame);
-    void fit_tiles(const ImVec2& room);
     void draw_tiles(const FrameContext& frame, Requests& out);
-    void draw_tile(std::size_t index, const FrameContext& frame, Requests& out);
+    void draw_tile(std::size_t index, const ImVec2& size, const FrameContext& frame, Requests& out);
     void draw_content(const Tile& tile, const Rect& area, const FrameContext& frame);
-    void follow_keys(const FrameContext& frame, Requests& out) const;
+    void follow_keys(const TileGrid& grid, const FrameContext& frame, Requests& out) const;
 
     PhenotypeCache bodies_;
     ListedFor listed_for_;
     std::vector<Tile> tiles_;
-    std::size_t columns_ = 1;
-    ImVec2 tile_size_;
     std::size_t tiles_drawn_ = 0;
 };
 

@@ -30,8 +30,7 @@ void ShelfPanel::draw(const FrameContext& frame, Requests& out) {
         muted_text("Drag a creature here, or press K, to keep it whatever becomes of the grid.");
     }
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kShelfGap), px(kShelfGap)));
-    const int columns =
-        std::max(1, static_cast<int>((room.x + px(kShelfGap)) / px(kShelfWidth + kShelfGap)));
+    const int columns = tiles_across(room.x, px(kShelfWidth), px(kShelfGap));
     for (std::size_t place = 0; place < shelf.size(); ++place) {
         if (static_cast<int>(place) % columns != 0) ImGui::SameLine();
         draw_tile(place, frame, out);
