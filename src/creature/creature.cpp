@@ -17,12 +17,18 @@ Creature::Creature(const Phenotype& phenotype, const Kinds& kinds, const SceneSe
     drives_.reserve(phenotype.effector_kinds.size());
     for (const std::uint8_t kind : phenotype.effector_kinds)
         drives_.push_back(kinds.effectors[kind].drive);
+    organ_acts_.reserve(phenotype.organs.size());
+    parameter_counts_.reserve(phenotype.organs.size());
+    std::size_t sounds = 0, scents = 0;
     for (const GrownOrgan& organ : phenotype.organs) {
-        organ_acts_.push_back(kinds.organs[organ.kind].act);
-        parameter_counts_.push_back(kinds.organs[organ.kind].parameters.size());
+        const OrganKind& kind = kinds.organs[organ.kind];
+        organ_acts_.push_back(kind.act);
+        parameter_counts_.push_back(kind.parameters.size());
+        sounds += kind.sounds ? 1 : 0;
+        scents += kind.scents ? 1 : 0;
     }
-    emissions_.sounds.reserve(phenotype.organs.size());
-    emissions_.scents.reserve(phenotype.organs.size());
+    emissions_.sounds.reserve(sounds);
+    emissions_.scents.reserve(scents);
 }
 
 void Creature::reset() {

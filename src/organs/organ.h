@@ -43,8 +43,8 @@ struct OrganSite {
 enum class OrganMark : std::uint8_t { kArcs, kDots, kArrows };
 
 struct OrganKind {
-    // Uses a signal (within +-10, weight included) for one tick. Allocates nothing while the lists
-    // of emissions have room for one more.
+    // Uses a signal (within +-10, weight included) for one tick. Adds at most one sound and one
+    // scent, and only of the sorts that its kind says it gives off.
     using Act = void (*)(const OrganSite& site, double signal, Emissions& emissions);
     // Makes a grown part deformable.
     using Shape = void (*)(std::span<const double> parameters, const SceneSettings& settings,
@@ -60,6 +60,7 @@ struct OrganKind {
     // Place on the part, along its length from the middle, as a share of its half length.
     double place = 0.0;
     OrganMark mark = OrganMark::kDots;
+    bool sounds = false;    // gives off sound
     bool scents = false;    // gives off scent
     bool eats = false;      // its part eats in a preserve; its first parameter is the diet
     Shape shape = nullptr;  // of a muscle of the part itself, of which a part has at most one

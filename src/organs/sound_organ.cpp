@@ -34,7 +34,8 @@ void add_sound_organ(OrganRegistry& organs) {
                                 .help = "Band of sound in which it calls."}},
                 .act = call,
                 .words = call_in_words,
-                .mark = OrganMark::kArcs});
+                .mark = OrganMark::kArcs,
+                .sounds = true});
 }
 
 }  // namespace cambrian

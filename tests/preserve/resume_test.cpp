@@ -42,6 +42,20 @@ TEST_CASE("a preserve that goes on from a snapshot has the bits of one that neve
     CHECK(digest(**resumed) == digest(*uncut));
 }
 
+TEST_CASE("a file of before founders could be rhythmic says that none is", "[preserve]") {
+    const TemporaryDirectory folder;
+    const auto path = folder.path() / "pond.cambrian";
+    kept_in(path, small_world());
+    CHECK(load_preserve(path, kinds())->origin.settings->founders.rhythmic_share == 1.0);
+    Database(path, Database::Access::kWrite)
+        .execute(
+            "UPDATE facts SET value = replace(value, char(10) || 'rhythmic = 1.0', '') WHERE "
+            "name = 'settings'");
+    const auto loaded = load_preserve(path, kinds());
+    REQUIRE(loaded);
+    CHECK(loaded->origin.settings->founders.rhythmic_share == 0.0);
+}
+
 TEST_CASE("damaged words of a snapshot give a message", "[preserve]") {
     const ExperimentSettings settings = small_world();
     const auto preserve = begun(settings, {eater(0.0)});

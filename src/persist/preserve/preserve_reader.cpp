@@ -23,6 +23,17 @@ std::string fact(const Database& database, const char* name) {
     return std::string(row.text(0));
 }
 
+// Returns the settings' text. Where it does not say how many of the founders are rhythmic, the file
+// was made before any could be.
+std::string settings_text(const Database& database) {
+    constexpr std::string_view kTable = "[preserve]\n";
+    std::string text = fact(database, "settings");
+    const std::size_t table = text.find(kTable);
+    if (table != std::string::npos && text.find("\nrhythmic = ") == std::string::npos)
+        text.insert(table + kTable.size(), "rhythmic = 0.0\n");
+    return text;
+}
+
 GenomePtr genotype(const Statement& row, int column, GenotypeReader& genotypes) {
     const std::int64_t size = row.integer(column);
     if (size < 0) throw DatabaseError("a genotype's size is negative");
@@ -130,7 +141,7 @@ std::vector<MuseumPiece> read_museum(const Database& database, const EvolutionKi
 SavedPreserve read_preserve(const Database& database, const EvolutionKinds& kinds) {
     SavedPreserve saved;
     Result<ExperimentSettings> settings =
-        parse_settings(fact(database, "settings"), "settings", kinds, SettingsUse::kPreserve);
+        parse_settings(settings_text(database), "settings", kinds, SettingsUse::kPreserve);
     if (!settings) throw DatabaseError(settings.error().message);
     saved.origin.settings = std::make_shared<const ExperimentSettings>(*std::move(settings));
     saved.origin.simulator = fact(database, "simulator").substr(0, 64);

@@ -47,6 +47,12 @@ void SolidBodies::advance(std::span<SolidBody> bodies, double duration, const So
     count(tick);
 }
 
+void SolidBodies::forget() {
+    memory_.clear();
+    before_.clear();
+    after_.clear();
+}
+
 // Finds who could meet whom. All who could begin their tick, and their extents are found.
 void SolidBodies::look_around(const Tick& tick) {
     const std::size_t count = tick.bodies.size();

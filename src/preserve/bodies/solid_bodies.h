@@ -62,8 +62,8 @@ public:
     void advance(std::span<SolidBody> bodies, double duration, const SolidActs& acts,
                  Workspaces workspaces, ThreadPool& pool);
 
-    // Forgets contacts, as after a snapshot.
-    void forget() { memory_.clear(); }
+    // Forgets contacts, as after a snapshot, and frees what the next tick computes anew.
+    void forget();
 
     const SolidCounts& counts() const { return counts_; }
     // Of the last tick: whether two bodies were advanced as one, by index.

@@ -20,6 +20,7 @@ std::vector<Mouth> mouths_of(const Phenotype& phenotype, const OrganRegistry& or
         if (!organs[organ.kind].eats) continue;
         mouths.push_back({organ.part, organ.parameters.front(), phenotype.parts[organ.part].width});
     }
+    mouths.shrink_to_fit();
     if (mouths.empty()) mouths.push_back({0, kDietWithoutMouth, phenotype.parts.front().width});
     return mouths;
 }

@@ -12,8 +12,9 @@ namespace cambrian {
 Result<std::unique_ptr<Resident>> Resident::grow(Life begun, const Kinds& kinds,
                                                  const ExperimentSettings& settings,
                                                  const CommonSenses& senses) {
-    auto phenotype = std::make_unique<Phenotype>(
-        express(*begun.genome.unpack(), kinds, settings.expression, settings.world.scene));
+    const Phenotype grown =
+        express(*begun.genome.unpack(), kinds, settings.expression, settings.world.scene);
+    auto phenotype = std::make_unique<const Phenotype>(grown);  // a copy has no spare capacity
     if (settings.expression.strict_overlap && overlaps_itself(phenotype->plan))
         return Error{"parts overlap that no joint connects"};
     auto scene =
