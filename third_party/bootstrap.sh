@@ -2,7 +2,7 @@
 # All the set-up in one command: installs the missing packages, configures, builds, and starts.
 #   sh third_party/bootstrap.sh run [ARGUMENT...]   the studio, or `cambrian ARGUMENT...`
 #   sh third_party/bootstrap.sh test [ARGUMENT...]  the whole test suite, as `ctest ARGUMENT...`
-#   sh third_party/bootstrap.sh packages [GROUP]    the packages only, those of tests or benchmarks too
+#   sh third_party/bootstrap.sh packages [GROUP]    the packages only, with those of tests, emulation or benchmarks
 # Works from any folder; what was done before and is still good is not done again.
 set -eu
 
@@ -82,7 +82,7 @@ build_program() {
     # Anything saved while it builds is newer than this.
     mkdir -p "$build"
     printf '%s\n' "$root" >"$stamp.new"
-    build --target cambrian
+    build --target cambrian cambrian_documents
     mv "$stamp.new" "$stamp"
 }
 
@@ -106,7 +106,11 @@ shift
 case $command in
 run) run_program "$@" ;;
 test) run_tests "$@" ;;
-packages) install_packages "${1:-tests}" ;;
+packages)
+    grep -q "^# -- ${1:-tests}\b" "$root/third_party/packages.txt" ||
+        die "third_party/packages.txt has no group '$1'; it has tests, emulation and benchmarks"
+    install_packages "${1:-tests}"
+    ;;
 *)
     sed -n 's/^# \{0,1\}//; 2,6p' "$0" >&2
     exit 2

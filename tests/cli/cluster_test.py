@@ -79,10 +79,10 @@ class Runs(ClusterTest):
         run = self.evolve("outage", "--cluster", server.url, settings=ENDLESS)
         self.wait_for_results(server)
         server.kill()
-        self.wait_for_message(run, "cluster away, working alone", 6)
+        self.wait_for_message(run, "cluster away, working alone")
         time.sleep(1)
         server.start()
-        self.wait_for_message(run, "cluster reached again", 6)
+        self.wait_for_message(run, "cluster reached again")
         self.wait_for_results(server)
         self.end_and_compare(run, "outage", ENDLESS)
 
@@ -93,7 +93,7 @@ class Runs(ClusterTest):
         self.wait_for_results(server)
         for worker in workers:
             worker.kill()
-        self.wait_for_message(run, "no other machine is left, working alone", 8)
+        self.wait_for_message(run, "no other machine is left, working alone")
         self.end_and_compare(run, "left", ENDLESS)
 
     def test_a_run_that_was_killed_is_resumed_without_what_it_left(self):

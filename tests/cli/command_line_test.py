@@ -5,7 +5,8 @@ import unittest
 from program import BAD_INPUT, DONE, FAILED, ROOT, ProgramTest
 
 SUBCOMMANDS = ["studio", "view", "evolve", "simulate", "render", "verify", "rescore",
-               "settings", "worker", "cluster", "preserve"]
+               "settings", "worker", "cluster", "preserve", "compare", "export", "schema", "manual",
+               "completion"]
 
 
 class CommandLine(ProgramTest):

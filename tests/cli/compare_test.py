@@ -7,7 +7,7 @@ import subprocess
 import time
 import unittest
 
-from program import CAMBRIAN, FAILED, ProgramTest
+from program import FAILED, ProgramTest
 
 QUICK = """
 [goal]
@@ -68,8 +68,7 @@ class Compare(ProgramTest):
 
     def test_an_interrupted_comparison_goes_on(self):
         command = ["compare", "quick.toml", "-n", "2000", "-s", "1..9", "-t", "1"]
-        process = subprocess.Popen([CAMBRIAN, *command], cwd=self.folder, text=True,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        process = self.start(*command, stdout=subprocess.DEVNULL)
         table = self.folder / "comparison" / "runs.csv"
         while not table.exists() and process.poll() is None:
             time.sleep(0.02)

@@ -102,7 +102,8 @@ class Documents(ProgramTest):
             script = self.run_well("completion", shell).stdout
             for subcommand, options in self.everything().items():
                 for option in options:
-                    self.assertIn(option.lstrip("-"), script, subcommand)
+                    word = re.escape(option.lstrip("-"))
+                    self.assertRegex(script, rf"(?<![\w-])-*{word}(?![\w-])", subcommand)
             if shutil.which(shell):
                 self.write("script", script)
                 subprocess.run([shell, "-n", "script"], cwd=self.folder, check=True)

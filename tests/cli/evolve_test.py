@@ -138,10 +138,8 @@ class Evolve(ProgramTest):
         (self.folder / "gone").mkdir()
         refuge = self.folder / "refuge"
         refuge.mkdir()
-        process = subprocess.Popen(
-            [CAMBRIAN, "evolve", "small.toml", "-n", "20", "-o", "gone/a.creature.json"],
-            cwd=self.folder, env=dict(os.environ, TMPDIR=str(refuge)), stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE, encoding="utf-8")
+        process = self.start("evolve", "small.toml", "-n", 20, "-o", "gone/a.creature.json",
+                             env=dict(os.environ, TMPDIR=str(refuge)))
         process.stdout.readline()  # generation 0; the champion is written last
         (self.folder / "gone").rename(self.folder / "elsewhere")
         _, messages = process.communicate(timeout=600)
@@ -248,8 +246,8 @@ class Evolve(ProgramTest):
 
     def test_ctrl_c_keeps_the_champion_of_the_last_finished_generation(self):
         self.write("long.toml", SMALL.replace("generations = 3", "generations = 1000000"))
-        process = subprocess.Popen([CAMBRIAN, "evolve", "long.toml", "--json", "-o", "a.json"],
-                                   cwd=self.folder, stdout=subprocess.PIPE, encoding="utf-8")
+        process = self.start("evolve", "long.toml", "--json", "-o", "a.json",
+                             stderr=subprocess.DEVNULL)
         process.stdout.readline()
         process.send_signal(signal.SIGINT)
         output, _ = process.communicate(timeout=600)

@@ -4,11 +4,10 @@ hang."""
 import json
 import math
 import signal
-import subprocess
 import time
 import unittest
 
-from program import CAMBRIAN, FAILED, ProgramTest
+from program import FAILED, ProgramTest
 
 # The ranges of all settings that influence a trial's motion: table, key, lowest, highest.
 RANGES = [
@@ -100,10 +99,9 @@ class Extremes(ProgramTest):
 
     def test_ctrl_c_ends_a_trial_of_three_thousand_seconds(self):
         self.write("long.toml", settings([("trial", "duration", 3e3), ("population", "size", 300)]))
-        process = subprocess.Popen([CAMBRIAN, "evolve", "long.toml"], cwd=self.folder,
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                   encoding="utf-8")
-        time.sleep(1)
+        process = self.start("evolve", "long.toml")
+        while "walking-seed1.cambrian" not in self.files() and process.poll() is None:
+            time.sleep(0.02)
         process.send_signal(signal.SIGINT)
         output, messages = process.communicate(timeout=60)
         self.assertEqual(process.returncode, FAILED)

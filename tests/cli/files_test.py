@@ -64,13 +64,9 @@ class Files(ProgramTest):
     def contents(self):
         return {path.name: path.read_bytes() for path in self.folder.iterdir() if path.is_file()}
 
-    def start(self, *arguments):
-        process = subprocess.Popen([CAMBRIAN, *arguments], cwd=self.folder,
-                                   stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-                                   encoding="utf-8")
-        self.addCleanup(process.wait)
-        self.addCleanup(process.kill)
-        self.addCleanup(process.stdout.close)
+    def begun(self, *arguments):
+        """Returns a process that has written its first line."""
+        process = self.start(*arguments, stderr=subprocess.DEVNULL)
         process.stdout.readline()
         return process
 
@@ -120,7 +116,7 @@ class Files(ProgramTest):
 
     def test_a_running_experiment_is_not_replaced(self):
         self.evolve("-o", "other.cambrian")
-        self.start("evolve", "small.toml", "-n", "100000", "-o", "run.cambrian")
+        self.begun("evolve", "small.toml", "-n", "100000", "-o", "run.cambrian")
         os.link(self.folder / "run.cambrian", self.folder / "hard")
         (self.folder / "soft").symlink_to("run.cambrian")
         inode = (self.folder / "run.cambrian").stat().st_ino
@@ -154,8 +150,8 @@ class Files(ProgramTest):
                                         "uncut.cambrian"])
 
     def test_a_running_experiment_can_be_gone_on_with_in_another_file(self):
-        self.start("evolve", "small.toml", "-n", "100000", "-o", "a.cambrian")
-        process = self.start("evolve", "-r", "a.cambrian", "-n", "200000", "-o", "b.cambrian")
+        self.begun("evolve", "small.toml", "-n", "100000", "-o", "a.cambrian")
+        process = self.begun("evolve", "-r", "a.cambrian", "-n", "200000", "-o", "b.cambrian")
         process.kill()
         process.wait()
         count = len(digests(self.folder / "b.cambrian"))
@@ -188,7 +184,7 @@ class Files(ProgramTest):
 
     def test_a_crashed_experiment_is_read_where_nothing_can_be_written(self):
         """With and without the file that SQLite's readers share, and through a link."""
-        process = self.start("evolve", "small.toml", "-n", "100000", "-o", "run.cambrian")
+        process = self.begun("evolve", "small.toml", "-n", "100000", "-o", "run.cambrian")
         process.stdout.readline()
         process.kill()
         process.wait()

@@ -49,17 +49,6 @@ class LongTrials(ProgramTest):
         self.write("long.toml", EMPTY_SPACE.format(duration=5000))
         self.write("small.toml", SMALL)
 
-    def memory_of(self, *arguments, status=DONE):
-        """Returns the peak memory in bytes."""
-        with subprocess.Popen([CAMBRIAN, *map(str, arguments)], cwd=self.folder,
-                              stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                              stderr=subprocess.PIPE, encoding="utf-8") as process:
-            messages = process.stderr.read()
-            _, code, usage = os.wait4(process.pid, 0)
-            process.returncode = os.waitstatus_to_exitcode(code)
-        self.assertEqual(process.returncode, status, messages)
-        return usage.ru_maxrss * 1024
-
     def test_a_trace_of_hours_takes_little_memory(self):
         self.assertLess(self.memory_of("simulate", "stiff.creature.json", "-e", "long.toml",
                                        "--trace", "/dev/null"), MOST_MEMORY)

@@ -136,10 +136,7 @@ class Output(ProgramTest):
         self.assertTrue(stat.S_ISBLK((self.folder / "disk.toml").stat().st_mode))
 
     def test_a_reader_that_leaves_ends_a_run_with_everything_kept(self):
-        process = subprocess.Popen([CAMBRIAN, "evolve", "small.toml", "-n", "100000", "-o", "runs/"],
-                                   cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                   encoding="utf-8")
-        self.addCleanup(process.stderr.close)
+        process = self.start("evolve", "small.toml", "-n", 100000, "-o", "runs/")
         process.stdout.readline()
         process.stdout.close()
         process.wait(timeout=600)

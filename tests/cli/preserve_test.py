@@ -3,12 +3,11 @@
 import csv
 import json
 import shutil
-import signal
-import sqlite3
 import subprocess
 import unittest
 
-from program import CAMBRIAN, FERTILE, ROOT, SMALL, ProgramTest
+from experiment_tables import opened
+from program import FERTILE, ROOT, SMALL, ProgramTest
 
 POND = """
 [preserve]
@@ -43,7 +42,7 @@ class Preserve(ProgramTest):
         return rows
 
     def snapshots(self, name):
-        with sqlite3.connect(self.folder / name) as file:
+        with opened(self.folder / name) as file:
             return file.execute("SELECT tick, digest FROM snapshots ORDER BY tick").fetchall()
 
     def test_a_preserve_reports_the_same_on_any_number_of_threads(self):
@@ -147,13 +146,11 @@ class Preserve(ProgramTest):
 
     def test_a_killed_preserve_loses_at_most_a_minute_of_its_time(self):
         expected = self.rows("pond.toml", "-f", *SWIMMERS, "--seconds", 120)
-        process = subprocess.Popen(
-            [CAMBRIAN, "preserve", "pond.toml", "-f", *map(str, SWIMMERS), "-o", "a.cambrian",
-             "--json"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-            encoding="utf-8")
-        with process:
-            seen = [json.loads(process.stdout.readline())["time"] for _ in range(8)]
-            process.send_signal(signal.SIGKILL)
+        process = self.start("preserve", "pond.toml", "-f", *SWIMMERS, "-o", "a.cambrian", "--json",
+                             stderr=subprocess.DEVNULL)
+        seen = [json.loads(process.stdout.readline())["time"] for _ in range(8)]
+        process.kill()
+        process.wait(60)
         kept = self.snapshots("a.cambrian")[-1][0] / 60
         self.assertGreaterEqual(kept, seen[-1] - 60)
         rest = self.rows("-r", "a.cambrian", "--seconds", 120 if kept < 120 else kept + 60)
@@ -164,7 +161,7 @@ class Preserve(ProgramTest):
     def test_a_damaged_snapshot_is_left_out_for_the_one_before(self):
         self.run_well("preserve", "pond.toml", "-f", *SWIMMERS, "--seconds", 120, "-o", "a.cambrian")
         kept = self.snapshots("a.cambrian")
-        with sqlite3.connect(self.folder / "a.cambrian") as file:
+        with opened(self.folder / "a.cambrian") as file:
             file.execute("UPDATE snapshots SET digest = digest + 1 WHERE tick = 7200")
         result = self.run_well("preserve", "--resume", "a.cambrian", "--seconds", 120)
         self.assertIn("the snapshot of 120 s is damaged", result.stderr)

@@ -68,6 +68,34 @@ class ProgramTest(unittest.TestCase):
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
             encoding="utf-8", timeout=600, check=False, **options)
 
+    def start(self, *arguments, **options):
+        """Starts the program with standard output and error as text; it ends with the test."""
+        options.setdefault("stdin", subprocess.DEVNULL)
+        options.setdefault("stdout", subprocess.PIPE)
+        options.setdefault("stderr", subprocess.PIPE)
+        process = subprocess.Popen([CAMBRIAN, *map(str, arguments)], cwd=self.folder,
+                                   encoding="utf-8", **options)
+        self.addCleanup(self.end, process)
+        return process
+
+    @staticmethod
+    def end(process):
+        if process.poll() is None:
+            process.kill()
+        process.wait(60)
+        for stream in (process.stdout, process.stderr):
+            if stream:
+                stream.close()
+
+    def memory_of(self, *arguments, status=DONE):
+        """Returns the program's peak memory in bytes."""
+        process = self.start(*arguments, stdout=subprocess.DEVNULL)
+        messages = process.stderr.read()
+        _, code, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(code)
+        self.assertEqual(process.returncode, status, messages)
+        return usage.ru_maxrss * 1024
+
     # -- as a user without rights
 
     def as_nobody(self, *arguments, **options):

@@ -7,7 +7,7 @@ import subprocess
 import time
 import unittest
 
-from program import BAD_INPUT, CAMBRIAN, FAILED, ROOT, ProgramTest
+from program import BAD_INPUT, FAILED, ROOT, ProgramTest
 
 WALKER = ROOT / "assets/creatures/walker.creature.json"
 SWIMMER = ROOT / "assets/creatures/finned_swimmer.creature.json"
@@ -196,10 +196,8 @@ class Render(ProgramTest):
 
     def test_an_interrupted_clip_leaves_nothing(self):
         before = self.write("clip.mp4", "the clip before")
-        process = subprocess.Popen(
-            [CAMBRIAN, "render", str(WALKER), "-o", "clip.mp4", "--fps", "120", "--speed", "0.05"],
-            cwd=self.folder, stderr=subprocess.PIPE, encoding="utf-8")
-        self.addCleanup(process.kill)
+        process = self.start("render", WALKER, "-o", "clip.mp4", "--fps", 120, "--speed", 0.05,
+                             stdout=subprocess.DEVNULL)
         deadline = time.monotonic() + 120
         while len(self.files()) < 2 and time.monotonic() < deadline:
             time.sleep(0.05)

@@ -1,10 +1,10 @@
 """The studio's preserve in a real X window: its first minute, with the mouse and with keys alone."""
 
 import pathlib
-import sqlite3
 import time
 import unittest
 
+from experiment_tables import opened
 from program import FERTILE, ROOT
 from studio_driver import StudioTest
 
@@ -93,7 +93,7 @@ class StudioPreserve(StudioTest):
         self.assert_painted(display.picture("preserve-edges-1280x800.png"))
         self.quit()
         kept = self.folder / "state" / "preserve.cambrian"
-        with sqlite3.connect(kept) as file:
+        with opened(kept) as file:
             settings, = file.execute("SELECT value FROM facts WHERE name = 'settings'").fetchone()
         self.assertIn('edges = "wrap"', settings)
         self.run_well("verify", kept)
@@ -154,7 +154,7 @@ class StudioPreserve(StudioTest):
         self.quit()
         kept = self.folder / "state" / "preserve.cambrian"
         self.run_well("verify", kept)
-        with sqlite3.connect(kept) as file:
+        with opened(kept) as file:
             laws = dict(file.execute("SELECT what, x FROM interventions WHERE what LIKE 'law %'"))
         self.assertEqual((laws["law preserve.growth-time"], laws["law preserve.plant-energy"]),
                          (30, 4))
