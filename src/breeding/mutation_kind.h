@@ -15,8 +15,8 @@ namespace cambrian {
 // The order in which operators are applied to one offspring.
 enum class MutationPhase : std::uint8_t { kParameters, kGrowth, kConnections };
 
-// The genes that an operator changes: parts with their joints and attachments, or what the hash of
-// the body leaves out: neurons, references, and organs that emit.
+// The genes that an operator changes: parts with their joints and attachments, or neurons,
+// references and organs.
 enum class MutationSubject : std::uint8_t { kBody, kBrain };
 
 // The context of an operator besides the genome.

@@ -126,7 +126,7 @@ std::optional<FinishedRun> perform(const PlannedRun& run, const EvolutionKinds& 
     if (stop.stop_requested()) return std::nullopt;
     note_end(row, evolution, *champion, kinds);
     row.seconds = thread_cpu_time() - begun;
-    return FinishedRun{std::move(row), champion};
+    return FinishedRun{std::move(row), champion, evolution.shared_settings()};
 }
 
 }  // namespace cambrian

@@ -61,6 +61,7 @@ struct ComparedRun {
 struct FinishedRun {
     ComparedRun row;
     IndividualPtr champion;
+    SettingsPtr settings;  // by which the champion was scored, with the opponents that were drawn
 };
 
 // Returns the row of a run with the values that are known in advance. is_row_of() tells whether a
@@ -69,7 +70,7 @@ ComparedRun planned_row(const PlannedRun& run, const EvolutionKinds& kinds);
 bool is_row_of(const ComparedRun& finished, const ComparedRun& planned);
 
 // Evolves until the planned number of trials has been run. Returns nothing if it was stopped or if
-// the back-end cannot continue. `done` is incremented after every trial.
+// the back-end cannot continue. `done` grows by its trials after every generation.
 std::optional<FinishedRun> perform(const PlannedRun& run, const EvolutionKinds& kinds,
                                    EvaluationBackend& backend, std::atomic<std::uint64_t>& done,
                                    const std::stop_token& stop);

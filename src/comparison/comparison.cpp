@@ -29,9 +29,8 @@ const ComparedRun* row_of(const std::vector<ComparedRun>& table, const PlannedRu
     return found == table.end() ? nullptr : &*found;
 }
 
-// Returns a name that is valid on every file system.
-std::string file_name(const ComparedRun& row) {
-    std::string name = fmt::format("{}-{}-seed{}", row.world, row.arm, row.seed);
+// Makes a name that is valid on every file system.
+std::string file_name(std::string name) {
     for (char& letter : name) {
         const auto code = static_cast<unsigned char>(letter);
         if (code <= ' ' || letter == '/' || code == 0x7F) letter = '-';
@@ -39,10 +38,24 @@ std::string file_name(const ComparedRun& row) {
     return name + ".creature.json";
 }
 
+// The name that earlier versions gave to all runs of a world and an arm with the same seed.
+std::string short_name(const ComparedRun& run) {
+    return fmt::format("{}-{}-seed{}", run.world, run.arm, run.seed);
+}
+
+std::string full_name(const ComparedRun& run) {
+    return fmt::format("{}-{}-{}", short_name(run), run.trials, run.settings.substr(0, 8));
+}
+
 }  // namespace
 
 std::filesystem::path champion_file(const std::filesystem::path& folder, const ComparedRun& run) {
-    return folder / kChampions / file_name(run);
+    const auto file = folder / kChampions / file_name(full_name(run));
+    const auto earlier = folder / kChampions / file_name(short_name(run));
+    std::error_code unknown;
+    const bool use_earlier =
+        !std::filesystem::exists(file, unknown) && std::filesystem::exists(earlier, unknown);
+    return use_earlier ? earlier : file;
 }
 
 Result<std::unique_ptr<Comparison>> Comparison::open(const std::filesystem::path& folder,
@@ -99,7 +112,7 @@ Status Comparison::run(std::size_t at_a_time, const BackendMaking& make,
             if (finished && !*finished) return;
             const std::lock_guard<std::mutex> lock(mutex);
             if (!kept) return;
-            kept = finished ? keep(runs_[missing_[index]], **finished) : finished.error();
+            kept = finished ? keep(**finished) : finished.error();
             if (!kept) {
                 failed.request_stop();
                 return;
@@ -125,13 +138,12 @@ std::vector<ComparedRun> Comparison::finished() const {
 
 // Saves the champion before the row, so that every run in the table has one. The order of rows does
 // not depend on which run ends first.
-Status Comparison::keep(const PlannedRun& run, const FinishedRun& finished) {
-    CreatureDocument champion =
-        creature_document({.individual = finished.champion, .settings = run.settings}, *kinds_);
+Status Comparison::keep(const FinishedRun& finished) {
+    CreatureDocument champion = creature_document(
+        {.individual = finished.champion, .settings = finished.settings}, *kinds_);
     complete_score(champion, *kinds_);
-    if (Status saved = save_creature(champion_file(folder_, finished.row), champion, *kinds_);
-        !saved)
-        return saved;
+    const auto file = folder_ / kChampions / file_name(full_name(finished.row));
+    if (Status saved = save_creature(file, champion, *kinds_); !saved) return saved;
     table_.push_back(finished.row);
     std::sort(table_.begin(), table_.end(), [](const ComparedRun& a, const ComparedRun& b) {
         return std::tie(a.world, a.arm, a.seed, a.trials, a.settings, a.simulator) <

@@ -25,8 +25,8 @@ std::filesystem::path champion_file(const std::filesystem::path& folder, const C
 
 class Comparison {
 public:
-    // Opens an existing folder. Runs that are already in its table, with the same settings and
-    // simulator, are not repeated. Other rows of the table are kept.
+    // Opens a folder, which is made if there is none. Runs that are already in its table, with the
+    // same settings and simulator, are not repeated. Other rows of the table are kept.
     static Result<std::unique_ptr<Comparison>> open(const std::filesystem::path& folder,
                                                     std::vector<PlannedRun> runs,
                                                     const EvolutionKinds& kinds);
@@ -53,7 +53,7 @@ private:
                                                        std::unique_ptr<EvaluationBackend>& backend,
                                                        const BackendMaking& make,
                                                        const std::stop_token& stop);
-    Status keep(const PlannedRun& run, const FinishedRun& finished);
+    Status keep(const FinishedRun& finished);
 
     std::filesystem::path folder_;
     std::vector<PlannedRun> runs_;

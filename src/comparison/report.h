@@ -21,7 +21,7 @@ std::vector<std::string> arms_of(const std::vector<ComparedRun>& runs);
 
 // Returns a Markdown table for each world. For every arm it has the median of the confirmed scores
 // with its bootstrap interval, the worst run, and the ratio to the first arm with its p-value
-// (Mann-Whitney). Further columns have the other measurements. The last table has the geometric
+// (Mann-Whitney). Further columns have the other measurements. A list at the end has the geometric
 // means of the ratios over all worlds.
 std::string comparison_report(const std::vector<ComparedRun>& runs);
 

@@ -3,7 +3,7 @@
 #include "core/files/file_io.h"
 #include "core/text/number_text.h"
 #include "core/text/parsed_number.h"
-#include "persist/sqlite/columns.h"
+#include "persist/sqlite/column_text.h"
 
 #include <fmt/core.h>
 
@@ -46,17 +46,6 @@ std::string header() {
     for (const Column<Row>& column : kColumns)
         text += std::string(column.name) + ',';
     return text + kCurve;
-}
-
-std::string cell_text(const std::string& text) {
-    return text;
-}
-std::string cell_text(double number) {
-    return real_text(number);
-}
-template <class Whole>
-std::string cell_text(Whole number) {
-    return std::to_string(number);
 }
 
 bool read_cell(std::string_view cell, std::string& text) {
@@ -106,9 +95,7 @@ bool read_row(std::string_view line, Row& row) {
 std::string run_table_csv(const std::vector<ComparedRun>& runs) {
     std::string text = header() + '\n';
     for (const Row& row : runs) {
-        for (const Column<Row>& column : kColumns)
-            text +=
-                std::visit([&](auto field) { return cell_text(row.*field); }, column.field) + ',';
+        add_cells<Row>(text, row, kColumns);
         std::string curve;
         for (const CurvePoint& point : row.curve)
             curve += fmt::format("{}{}:{}", curve.empty() ? "" : " ", point.trials,

@@ -22,8 +22,7 @@ enum class Purpose : std::uint64_t {
     kBreeding = 3,
     kMutation = 4,
     kTrial = 5,
-    kDisplay = 6,
-    kPicking = 7,
+    kPicking = 7,  // 6 was used once
     kLight = 8,
     kPreserve = 9,
     kOpponent = 10,

@@ -8,8 +8,8 @@
 
 namespace cambrian {
 
-// Hashes the tree of parts and the kinds of their joints. Sizes, positions and order of the parts
-// have no influence. Different trees have equal hashes with probability 2^-64.
+// Hashes the tree of parts, the kinds of their joints, and which parts deform. Sizes, positions and
+// order of the parts have no influence. Different trees have equal hashes with probability 2^-64.
 std::uint64_t body_plan_hash(const Phenotype& phenotype);
 
 }  // namespace cambrian

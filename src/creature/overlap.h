@@ -5,7 +5,7 @@
 namespace cambrian {
 
 // Returns whether any two parts that are not connected by a joint overlap at rest
-// (creature/README.md 4, option strictOverlap). Touching parts do not overlap.
+// (creature/README.md 4, setting `strict-overlap`). Touching parts do not overlap.
 bool overlaps_itself(const BodyPlan& plan);
 
 }  // namespace cambrian

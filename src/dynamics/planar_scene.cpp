@@ -536,6 +536,7 @@ bool PlanarScene::begin_at(const SceneMotion& motion) {
     std::copy(motion.targets.begin(), motion.targets.end(), body().state.drive_end);
     body().forcing.pulls.clear();
     evaluate_here();
+    note_speeds(body().model, body().state.cache().kinematics, body().state.forces);
     start_audit(body().model, body().forcing.medium, body().state);
     return true;
 }
@@ -612,20 +613,13 @@ bool deforms(const BodyPlan& plan) {
                        [](const PlannedPart& part) { return part.stretch.has_value(); });
 }
 
-Error stretches_refused(const std::string& id) {
+// `holds` says which integrators can compute bodies with these.
+Error need_another_integrator(const char* what, const std::string& id,
+                              bool IntegratorKind::*holds) {
     std::string message =
-        fmt::format("body plan: deformable parts need another integrator than \"{}\":", id);
+        fmt::format("body plan: {} need another integrator than \"{}\":", what, id);
     for (const IntegratorKind& integrator : builtin_integrators().all()) {
-        if (integrator.holds_stretches) message += fmt::format(" \"{}\"", integrator.id);
-    }
-    return {message};
-}
-
-Error loops_refused(const std::string& id) {
-    std::string message =
-        fmt::format("body plan: closed loops need another integrator than \"{}\":", id);
-    for (const IntegratorKind& integrator : builtin_integrators().all()) {
-        if (integrator.holds_loops) message += fmt::format(" \"{}\"", integrator.id);
+        if (integrator.*holds) message += fmt::format(" \"{}\"", integrator.id);
     }
     return {message};
 }
@@ -636,8 +630,12 @@ Result<std::unique_ptr<PhysicsScene>> CAMBRIAN_SCENE_COPY::make_planar_scene(
     const BodyPlan& plan, const Environment& environment, const SceneSettings& settings) {
     const IntegratorKind* integrator = builtin_integrators().find(settings.integrator);
     if (integrator == nullptr) return unknown_integrator(settings.integrator);
-    if (!plan.loop_joints.empty() && !integrator->holds_loops) return loops_refused(integrator->id);
-    if (deforms(plan) && !integrator->holds_stretches) return stretches_refused(integrator->id);
+    if (!plan.loop_joints.empty() && !integrator->holds_loops)
+        return need_another_integrator("closed loops", integrator->id,
+                                       &IntegratorKind::holds_loops);
+    if (deforms(plan) && !integrator->holds_stretches)
+        return need_another_integrator("deformable parts", integrator->id,
+                                       &IntegratorKind::holds_stretches);
     if (Status status = check_surroundings(environment, settings); !status) return status.error();
     Result<PlanarModel> model = build_planar_model(plan, environment.density);
     if (!model) return model.error();

@@ -61,7 +61,8 @@ public:
     // Discards all scores: the next evaluate() evaluates all creatures again. Scores of a
     // generation that is already evaluated still decide who breeds.
     void rescore();
-    // Replaces the worst creature of the next generation by this one.
+    // Gives this one the last place of the next generation, that of an immigrant or a child. All
+    // but one of the places can be given so; further creatures are not taken.
     void inject(GenomePtr genome);
     // Gives a share (0 to 1) of the next offspring places, once, to random immigrants.
     void add_immigrants(double share);

@@ -47,7 +47,7 @@ std::vector<const BreedingKind*> assign_methods(const ReproductionContext& conte
     return methods;
 }
 
-// Draws another individual than the first parent; after five failed draws, returns the first
+// Draws another individual than the first parent; after six failed draws, returns the first
 // parent.
 std::size_t draw_partner(const ReproductionContext& context, std::size_t first,
                          RandomStream& stream) {

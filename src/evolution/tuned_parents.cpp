@@ -1,6 +1,7 @@
 #include "evolution/tuned_parents.h"
 
 #include "core/assert.h"
+#include "evolution/selections/survival.h"
 
 #include <cstdint>
 #include <set>
@@ -32,7 +33,7 @@ std::vector<std::optional<std::size_t>> draw_tuned_parents(std::span<const Indiv
     if (!(share > 0.0)) return parents;
     const std::vector<std::size_t> heads = heads_of_lines(ranked, survivors);
     const double best = ranked[survivors.front()]->result.fitness;
-    const double worst = ranked[survivors.back()]->result.fitness;
+    const double worst = least_fitness(ranked, survivors);
     std::vector<double> weights;
     for (const std::size_t head : heads) {
         const double lead = ranked[head]->result.fitness - worst;

@@ -13,7 +13,7 @@ struct FounderSettings {
     double max_length = 1.2;
     double min_width = 0.1;  // m
     double max_width = 0.5;
-    double rotary_share = 0.8;  // share of rotary joints among those that move
+    double moving_share = 0.8;  // share of joints that move
     double symmetric_share = 0.5;
     int max_node_neurons = 3;
     int max_brain_neurons = 2;

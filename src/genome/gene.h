@@ -18,6 +18,7 @@ inline constexpr std::size_t kMaxNodeNeurons = 8;
 inline constexpr std::size_t kMaxEdges = 6;
 inline constexpr std::size_t kMaxOrgans = 3;
 inline constexpr std::size_t kMaxOrganParameters = 2;
+inline constexpr std::size_t kMaxName = 64;  // bytes
 inline constexpr int kMaxArity = 3;
 inline constexpr int kMaxRecursion = 6;
 inline constexpr int kMaxReference = 15;  // k, e, n, i

@@ -33,8 +33,8 @@ using GenomePtr = std::shared_ptr<const Genome>;
 // breeding.
 std::uint64_t genome_hash(const Genome& genome);
 
-// Returns all faults, one sentence each, with places like JSON pointers; empty if valid (V1 to
-// V11).
+// Returns all faults, one sentence each, with places like JSON pointers; empty if valid
+// (genome/README.md 3).
 std::vector<std::string> validate(const Genome& genome, const KindCatalog& catalog);
 
 // Makes any genome valid by the steps of genome/README.md 3. It is idempotent; every operator ends

@@ -5,6 +5,7 @@
 //
 // The legs of all trials count together. Trials are pairs of mirror images and the worse half
 // counts twice, so a creature that always moves one way loses more than it gains.
+#include "core/sample_statistics.h"
 #include "goals/goal.h"
 #include "goals/mismatch.h"
 #include "goals/water.h"
@@ -29,13 +30,6 @@ std::vector<double> leg_shares(const TrialRecord& record) {
     for (const LightLeg& leg : record.legs.all())
         shares.push_back(progress(leg));
     return shares;
-}
-
-double mean(std::span<const double> numbers) {
-    double sum = 0.0;
-    for (const double number : numbers)
-        sum += number;
-    return sum / static_cast<double>(numbers.size());
 }
 
 // Returns the mean of the smaller half. The median of an odd number of shares has half weight.

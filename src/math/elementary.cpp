@@ -147,9 +147,4 @@ double inverse_root(double x, int n) {
     return y;
 }
 
-double hyperbolic_tangent(double x) {
-    const double t = exponential(-2.0 * std::fabs(x));
-    return std::copysign((1.0 - t) / (1.0 + t), x);
-}
-
 }  // namespace cambrian

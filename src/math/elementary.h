@@ -91,6 +91,5 @@ double logarithm(
 double power(double base, double exponent);  // base > 0; exp(exponent * ln base)
 // x^(-1/n) for normal x > 0 and n from 1 to 8; relative error below 1e-7. Faster than power().
 double inverse_root(double x, int n);
-double hyperbolic_tangent(double x);  // absolute error below 4e-16
 
 }  // namespace cambrian

@@ -51,7 +51,6 @@ struct SensorKind {
     Spot spot = nullptr;         // if null, the lamp is in the middle of the part
     double time_constant = 0.0;  // s, time constant of smoothing; 0 for none
     bool reads_forces = false;   // needs PlannedPart::measures_forces
-    bool hears = false;          // reads Surroundings::sound
     bool smells = false;         // reads Surroundings::scent
     bool usual = true;           // enabled in founders and mutations by default
 };

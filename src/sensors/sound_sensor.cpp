@@ -29,7 +29,6 @@ void add_sound_sensor(SensorRegistry& sensors) {
                               {"sound-4", "Sound, band 4"}},
                  .read = read_sound,
                  .spot = sound_spot,
-                 .hears = true,
                  .usual = false});
 }
 

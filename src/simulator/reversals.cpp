@@ -5,7 +5,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kSmallestSwing = 0.05;  // rad; smaller swings do not count
+constexpr double kSmallestSwing = 0.05;  // rad or m; smaller swings do not count
 
 }  // namespace
 

@@ -13,7 +13,7 @@ public:
     int count() const { return count_; }
 
 private:
-    // rad; lowest and highest angle since the last reversal, which was at one of the two.
+    // rad or m; lowest and highest coordinate since the last reversal, which was at one of the two.
     double low_;
     double high_;
     int direction_ = 0;  // direction of the present swing; 0 before the first

@@ -174,6 +174,7 @@ bool Trial::rests() {
 void Trial::pass_on_emissions() {
     scene_->list_impacts(impacts_);
     surroundings_.take(creature_.emissions(), impacts_, progress_.test_ticks);
+    if (bout_) bout_->pass_on_emissions(progress_.test_ticks);
 }
 
 void Trial::test_tick() {

@@ -16,7 +16,7 @@ struct SceneSettings {
     double max_evaluations = 5e4;   // of the accelerations per simulated second; more end the trial
     double muscle_strength = 25.0;  // N/m; largest torque of a joint over its squared section
     double target_smoothing = 0.1;  // s; time constant of the motor target
-    double motor_speed_limit = 6.0;       // rad/s; largest speed that a motor aims for
+    double motor_speed_limit = 6.0;       // rad/s or m/s; largest speed that a motor aims for
     double deform_speed_limit = 1.5;      // 1/s; largest rate of stretching a deformer aims for
     double motor_frequency = 25.0;        // rad/s; omega_0 of the motor's critically damped law
     std::string motor_mode = "position";  // one of kMotorModeIds

@@ -98,9 +98,7 @@ TEST_CASE("what is finished is not run again, unless it would come to something 
 TEST_CASE("the champion of every run is kept and scores what the table says", "[comparison]") {
     const TemporaryDirectory folder;
     for (const ComparedRun& row : rows_of(folder.path(), 2)) {
-        const std::string name =
-            row.world + "-" + row.arm + "-seed" + std::to_string(row.seed) + ".creature.json";
-        const auto champion = load_creature(folder / "champions" / name, kinds());
+        const auto champion = load_creature(champion_file(folder.path(), row), kinds());
         REQUIRE(champion);
         CHECK(champion->score() == row.score);  // swimming has no confirmation
     }

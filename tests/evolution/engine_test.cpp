@@ -6,6 +6,7 @@
 #include "support/wait_for.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <semaphore>
@@ -197,13 +198,19 @@ TEST_CASE("a back-end that cannot go on pauses the run with its reason",
 }
 
 TEST_CASE("an engine stops in the middle of a generation", "[evolution][engine][threads]") {
-    auto backend = std::make_unique<FakeBackend>();
-    backend->fitness = [](const Genome&) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-        return 1.0;
-    };
-    EvolutionEngine engine(settings_of(20000), kinds(), std::move(backend));
-    engine.send(ResumeEvolution{});
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    SUCCEED("the destructor returns long before 20000 trials are done");
+    std::atomic<int> trials = 0;
+    HandOver first;
+    {
+        auto backend = std::make_unique<FakeBackend>();
+        backend->fitness = [&](const Genome&) {
+            if (trials++ == 0) first.wait_for_another();
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            return 1.0;
+        };
+        EvolutionEngine engine(settings_of(20000), kinds(), std::move(backend));
+        engine.send(ResumeEvolution{});
+        REQUIRE(first.reached());
+        first.go_on();
+    }
+    CHECK(trials < 20000);
 }

@@ -41,7 +41,6 @@ constexpr std::array kFunctions = {
     Function{"arc_tangent", arc_tangent, -20.0, 20.0},
     Function{"exponential", exponential, -750.0, 712.0},
     Function{"logarithm", logarithm, 0.0, 100.0},
-    Function{"hyperbolic_tangent", hyperbolic_tangent, -20.0, 20.0},
     Function{"power", power_of_three_halves, 0.0, 50.0},
     Function{"wrap_angle", wrapped, -1e3, 1e3},
     Function{"reflect", reflected, -10.0, 10.0},

@@ -52,9 +52,6 @@ long double exact_exponential(long double x) {
 long double exact_logarithm(long double x) {
     return std::log(x);
 }
-long double exact_hyperbolic_tangent(long double x) {
-    return std::tanh(x);
-}
 
 // Returns the hash of a function's bits over a grid.
 std::uint64_t bits_of(Function function, double low, double high) {
@@ -158,16 +155,8 @@ TEST_CASE("powers agree with pow", "[math][elementary]") {
     }
 }
 
-TEST_CASE("the hyperbolic tangent is exact to 4e-16", "[math][elementary]") {
-    CHECK(errors_of(hyperbolic_tangent, exact_hyperbolic_tangent, -1.0, 1.0).absolute < 4e-16L);
-    CHECK(errors_of(hyperbolic_tangent, exact_hyperbolic_tangent, -30.0, 30.0).absolute < 4e-16L);
-    CHECK(hyperbolic_tangent(kInfinity) == 1.0);
-    CHECK(hyperbolic_tangent(-kInfinity) == -1.0);
-}
-
 TEST_CASE("what is not a number stays not a number", "[math][elementary]") {
-    for (const Function function :
-         {sine, cosine, arc_tangent, exponential, logarithm, hyperbolic_tangent})
+    for (const Function function : {sine, cosine, arc_tangent, exponential, logarithm})
         CHECK(std::isnan(function(kNaN)));
     CHECK(std::isnan(sine(kInfinity)));
     for (const double other : {-1.0, 0.0, 1.0}) {
@@ -183,5 +172,4 @@ TEST_CASE("the elementary functions give the same bits on every machine", "[math
     CHECK(bits_of(arc_tangent, -20.0, 20.0) == 0xc54287635597892bULL);
     CHECK(bits_of(exponential, -700.0, 700.0) == 0x6c3e4a8aced2c5b5ULL);
     CHECK(bits_of(logarithm, 1e-3, 100.0) == 0xbfdcc4d271b4b6cfULL);
-    CHECK(bits_of(hyperbolic_tangent, -20.0, 20.0) == 0x6f4426bbab0dad15ULL);
 }

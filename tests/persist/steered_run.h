@@ -48,7 +48,7 @@ void run_on(Evolution& evolution, Log& log, std::size_t generations,
         for (const NotedCommand& noted : steering) {
             if (noted.generation == evolution.generation()) REQUIRE(log.note(noted));
         }
-        give_commands(evolution, steering, evolution.generation());
+        give_commands(evolution, steering);
         REQUIRE(evolution.evaluate(*backend, progress, {}));
         REQUIRE(log.record(evolution));
     }

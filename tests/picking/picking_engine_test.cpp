@@ -6,6 +6,7 @@
 #include "support/catch.h"
 #include "support/wait_for.h"
 
+#include <atomic>
 #include <chrono>
 #include <stdexcept>
 #include <thread>
@@ -117,13 +118,23 @@ TEST_CASE("the picking engine reports a back-end that throws and continues to wo
 }
 
 TEST_CASE("the picking engine can be stopped during breeding", "[picking][engine][threads]") {
-    PickingEngine engine(default_settings(), kinds(), slow_backend());
-    engine.send(StartFromCreatures{{test::hopper()}});
-    wait_for_grids(engine, 1);
-    engine.send(TogglePick{0, 0});
-    engine.send(AskEvolution{1000});
-    std::this_thread::sleep_for(std::chrono::milliseconds(30));
-    SUCCEED("the destructor returns long before 60 000 creatures are evaluated");
+    std::atomic<int> trials = 0;
+    {
+        auto backend = std::make_unique<BodyBackend>();
+        backend->adjust = [&](const Genome&, EvaluationResult&) {
+            ++trials;
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        };
+        PickingEngine engine(default_settings(), kinds(), std::move(backend));
+        engine.send(StartFromCreatures{{test::hopper()}});
+        wait_for_grids(engine, 1);
+        engine.send(TogglePick{0, 0});
+        engine.send(AskEvolution{1000});
+        wait_for(engine, [](const PickingSnapshot& shown) {
+            return shown.status == PickingStatus::kEvolving;
+        });
+    }
+    CHECK(trials < 20000);
 }
 
 TEST_CASE("a grid of real trials is the same on one worker and on two",

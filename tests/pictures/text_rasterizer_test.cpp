@@ -55,6 +55,7 @@ TEST_CASE("text that is not UTF-8 is still drawn", "[pictures][text_rasterizer]"
     for (const char* broken : {"\xff\xfe", "a\xc3", "\xe2\x82", "\xf0\x9f\x90\x9b", "\x80"}) {
         Image image = black(80, 40);
         text_rasterizer().draw(image, 2, 30, broken, Typeface::kRegular, 24, kWhite);
+        CHECK(image.rgb != black(80, 40).rgb);
         CHECK(text_rasterizer().width(broken, Typeface::kRegular, 24) > 0.0);
     }
 }

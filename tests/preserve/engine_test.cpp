@@ -2,30 +2,15 @@
 #include "preserve/engine/preserve_engine.h"
 #include "simulator/simulator_version.h"
 #include "support/temporary_directory.h"
+#include "support/wait_for.h"
 #include "worlds.h"
 
 #include <catch2/catch.hpp>
-
-#include <chrono>
-#include <thread>
 
 namespace cambrian {
 namespace {
 
 using namespace test;
-
-// Waits for a picture, which takes long on a busy machine: the engine yields to other programs.
-template <class Wanted>
-std::shared_ptr<const PreservePicture> picture_with(PreserveEngine& engine, Wanted wanted) {
-    const Stopwatch watch;
-    while (watch.seconds() < 300.0) {
-        const auto picture = engine.latest();
-        if (wanted(*picture)) return picture;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    FAIL("no such picture");
-    return nullptr;
-}
 
 bool answered(const PreservePicture& picture, std::uint64_t id) {
     return !picture.news.empty() && picture.news.back().id >= id;
@@ -38,15 +23,13 @@ TEST_CASE("a preserve on its thread plays, pauses, steps and obeys", "[preserve]
     CHECK_FALSE(first->playing);
     CHECK(first->area.width == 12.0);
     CHECK(engine.send(StepPreserve{}));
-    const auto stepped =
-        picture_with(engine, [](const auto& picture) { return picture.tick == 1; });
+    const auto stepped = wait_for(engine, [](const auto& picture) { return picture.tick == 1; });
 
     engine.send(Intervene{{.what = intervention::kAdd, .x = 1.0, .genome = eater(1.0)}});
     engine.send(Intervene{{.what = intervention::kRemove, .number = 2}});
     engine.send(Intervene{{.what = intervention::kRemove, .number = 2}});
     engine.send(Intervene{{.what = intervention::kFeed}});
-    const auto changed =
-        picture_with(engine, [](const auto& picture) { return answered(picture, 4); });
+    const auto changed = wait_for(engine, [](const auto& picture) { return answered(picture, 4); });
     CHECK(changed->news[0].number == 11);
     CHECK(changed->news[1].problem.empty());
     CHECK(changed->news[2].problem == "creature 2 is not alive");
@@ -59,11 +42,11 @@ TEST_CASE("a preserve on its thread plays, pauses, steps and obeys", "[preserve]
 
     engine.send(PacePreserve{kFullSpeed});
     engine.send(PlayPreserve{true});
-    const auto later = picture_with(engine, [](const auto& picture) { return picture.tick > 650; });
+    const auto later = wait_for(engine, [](const auto& picture) { return picture.tick > 650; });
     CHECK(later->playing);
     CHECK(later->series->back().tick == later->tick / kTicksPerRow * kTicksPerRow);
     engine.send(PlayPreserve{false});
-    const auto paused = picture_with(engine, [](const auto& picture) { return !picture.playing; });
+    const auto paused = wait_for(engine, [](const auto& picture) { return !picture.playing; });
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     CHECK(engine.latest()->tick == paused->tick);
 }
@@ -74,7 +57,7 @@ TEST_CASE("pictures have the signals of the brain that is watched, while it live
     CHECK(engine.latest()->brain.creature == 0);
     engine.send(WatchBrain{3});
     const auto watched =
-        picture_with(engine, [](const auto& picture) { return picture.brain.creature == 3; });
+        wait_for(engine, [](const auto& picture) { return picture.brain.creature == 3; });
     const ResidentPicture* creature = watched->find(3);
     REQUIRE(creature != nullptr);
     CHECK(watched->brain.slots.size() == creature->phenotype->network.slot_count());
@@ -82,14 +65,13 @@ TEST_CASE("pictures have the signals of the brain that is watched, while it live
     REQUIRE_FALSE(watched->brain.outputs.empty());
     for (int tick = 1; tick <= 10; ++tick) {
         engine.send(StepPreserve{});
-        picture_with(engine, [&](const auto& picture) {
+        wait_for(engine, [&](const auto& picture) {
             return picture.tick == static_cast<std::uint64_t>(tick);
         });
     }
     CHECK(engine.latest()->brain.outputs != watched->brain.outputs);
     engine.send(Intervene{{.what = intervention::kRemove, .number = 3}});
-    const auto removed =
-        picture_with(engine, [](const auto& picture) { return answered(picture, 1); });
+    const auto removed = wait_for(engine, [](const auto& picture) { return answered(picture, 1); });
     CHECK(removed->brain.creature == 0);
     CHECK(removed->brain.slots.empty());
 }
@@ -99,7 +81,7 @@ TEST_CASE("a preserve goes at the pace that is asked for", "[preserve][threads]"
     engine.send(PacePreserve{0.1});
     engine.send(PlayPreserve{true});
     const Stopwatch watch;
-    picture_with(engine, [](const auto& picture) { return picture.tick >= 2; });
+    wait_for(engine, [](const auto& picture) { return picture.tick >= 2; });
     CHECK(watch.seconds() > 1.9 / 6.0);  // a tenth of real time: 6 ticks a second
 }
 
@@ -116,10 +98,10 @@ TEST_CASE("a preserve that is closed goes on where it was left", "[preserve][thr
         PreserveEngine engine({std::move(preserve), *std::move(file), {}}, {.workers = 1});
         engine.send(PacePreserve{kFullSpeed});
         engine.send(PlayPreserve{true});
-        picture_with(engine, [](const auto& picture) { return picture.tick > 100; });
+        wait_for(engine, [](const auto& picture) { return picture.tick > 100; });
         engine.send(PlayPreserve{false});
         engine.send(Intervene{{.what = intervention::kFeed}});
-        tick = picture_with(engine, [](const auto& picture) { return answered(picture, 1); })->tick;
+        tick = wait_for(engine, [](const auto& picture) { return answered(picture, 1); })->tick;
         CHECK(engine.latest()->snapshots->size() == 1);
     }
     auto opened = PreserveFile::open(path, kinds());

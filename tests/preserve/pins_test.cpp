@@ -50,8 +50,6 @@ TEST_CASE("a preserve that is closed keeps its pins", "[preserve][pins][threads]
         PreserveEngine engine({std::move(world.preserve), std::move(world.file), {}},
                               {.workers = 1});
         CHECK(engine.send(KeepPins{{{2, 4}, false}}));
-        CHECK(engine.send(KeepPreserve{}));
-        wait_for(engine, [](const PreservePicture& picture) { return !picture.news.empty(); });
     }
     const auto opened = PreserveFile::open(path, kinds());
     REQUIRE(opened);

@@ -7,11 +7,11 @@
 #include "quality/plan.h"
 #include "quality/report.h"
 #include "quality/run_table.h"
+#include "support/temporary_directory.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <filesystem>
 
 using namespace cambrian;
 using namespace cambrian::quality;
@@ -45,11 +45,11 @@ TEST_CASE("runs are written and read, and a torn line is not", "[quality]") {
     run.digest = 0xFEDCBA9876543210U;
     run.clean = true;
     run.offspring["grafting"] = {120, 3};
-    const auto path = std::filesystem::temp_directory_path() / "quality_test_runs.csv";
+    const TemporaryDirectory folder;
+    const auto path = folder.path() / "runs.csv";
     const std::string line = run_line(run);
     REQUIRE(write_file(path, run_header() + line + line.substr(0, line.size() / 2)));
     const auto read = read_runs(path);
-    std::filesystem::remove(path);
     REQUIRE(read);
     REQUIRE(read->size() == 1);
     const RunResult& back = read->front();

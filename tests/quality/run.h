@@ -51,7 +51,8 @@ struct RunResult {
     double quality = 0.0;        // QD-score of this map
     bool decreased = false;      // the best fitness fell from one generation to the next
     // The following describe the champion of the last generation.
-    double finer = 0.0;        // fitness with a fortieth of the tolerance and half the contact step
+    double finer =
+        0.0;  // fitness with a fortieth of the tolerance and a quarter of the contact step
     double late_travel = 0.0;  // distance along x in the last 30 % of the test, in body lengths
     double reversals = 0.0;    // Hz, of its joint with the highest frequency
     bool clean = false;        // whether the energy audit's verdict is clean

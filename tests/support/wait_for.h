@@ -10,10 +10,11 @@
 
 namespace cambrian::test {
 
-// Waits up to a minute for a snapshot of the engine that satisfies the condition.
+// Waits up to five minutes for a snapshot of the engine that satisfies the condition. A busy
+// machine is slow, above all for engines that yield to other programs.
 template <class Engine, class Condition>
 auto wait_for(Engine& engine, Condition condition) {
-    for (int i = 0; i < 60000; ++i) {
+    for (int i = 0; i < 300000; ++i) {
         auto snapshot = engine.latest();
         if (condition(*snapshot)) return snapshot;
         std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -184,6 +184,7 @@ Harvest evolve(Course& course, EvaluationBackend& backend, const std::string& un
     EvaluationProgress progress;
     Evolution& evolution = course.evolution;
     ProgressBar bar(progress, static_cast<std::uint32_t>(course.limits.generations),
+                    static_cast<std::uint32_t>(evolution.history().size()),
                     [&backend] { return cluster_remark(backend.status()); });
     const ClusterWatch watch(backend, [&bar](std::string_view words) { bar.say_above(words); });
     GenerationReport report(backend, unit, json);

@@ -12,7 +12,7 @@ ReplayOutcome replay_experiment(const SavedExperiment& saved, const EvolutionKin
     for (const std::uint64_t digest : saved.digests) {
         if (outcome.generations > 0) {
             evolution.breed();
-            give_commands(evolution, saved.journal, evolution.generation());
+            give_commands(evolution, saved.journal);
         }
         if (!evolution.evaluate(backend, progress, watch.stop)) {
             outcome.stopped = true;

@@ -9,9 +9,10 @@
 namespace cambrian {
 
 ProgressBar::ProgressBar(const EvaluationProgress& progress, std::uint32_t generations,
-                         std::function<std::string()> remark)
+                         std::uint32_t known, std::function<std::string()> remark)
     : progress_(progress),
       generations_(generations),
+      known_(std::min(known, generations)),
       remark_(std::move(remark)),
       line_([this] { return text(); }) {}
 
@@ -37,12 +38,13 @@ std::string ProgressBar::text() const {
 std::string ProgressBar::numbers() const {
     const double total = std::max(1.0, static_cast<double>(progress_.total.load()));
     const double done = std::min(total, static_cast<double>(progress_.done.load()));
-    const bool complete = finished_ >= generations_;
-    const double share = complete ? 1.0 : (finished_ + done / total) / generations_;
+    const std::uint32_t wanted = generations_ - known_;
+    const bool complete = finished_ >= wanted;
+    const double share = complete ? 1.0 : (finished_ + done / total) / wanted;
     const double seconds = line_.seconds();
     const double trials = static_cast<double>(trials_done_) + done;
     std::string line =
-        fmt::format("generation {} of {} {}", finished_, generations_, bar_text(share));
+        fmt::format("generation {} of {} {}", known_ + finished_, generations_, bar_text(share));
     const std::string left = time_left_text(share, seconds);
     if (left.empty()) return line;
     return fmt::format("{}  {} creatures/s{}", line, static_cast<long long>(trials / seconds),

@@ -42,7 +42,7 @@ Result<ExperimentSettings> settings_for(const SimulateOptions& options,
     Result<ExperimentSettings> settings = world_of(document, options.environment, kinds);
     if (!settings) return settings.error();
     settings = with_typed(*std::move(settings), options.sets, kinds);
-    if (!settings) return settings.error();
+    if (!settings) return Error{"--set: " + settings.error().message};
     if (!options.integrator.empty()) settings->world.scene.integrator = options.integrator;
     settings->world.trial.duration = options.seconds.value_or(settings->world.trial.duration);
     settings->world.scene.tolerance = options.tolerance.value_or(settings->world.scene.tolerance);

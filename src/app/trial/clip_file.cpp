@@ -1,5 +1,6 @@
 #include "app/trial/clip_file.h"
 
+#include "core/spawn_group.h"
 #include "core/text/number_text.h"
 
 #include <fmt/core.h>
@@ -66,23 +67,6 @@ public:
 
 private:
     posix_spawn_file_actions_t actions_{};
-};
-
-// Puts the child in its own process group. Ctrl+C then reaches only this program, which ends the
-// child itself.
-class SpawnGroup {
-public:
-    SpawnGroup() {
-        ::posix_spawnattr_init(&attributes_);
-        ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
-    }
-    ~SpawnGroup() { ::posix_spawnattr_destroy(&attributes_); }
-    SpawnGroup(const SpawnGroup&) = delete;
-    SpawnGroup& operator=(const SpawnGroup&) = delete;
-    const posix_spawnattr_t* get() const { return &attributes_; }
-
-private:
-    posix_spawnattr_t attributes_{};
 };
 
 // Starts the process; returns 0 or the error code.

@@ -170,10 +170,13 @@ bool Batch::take_result(std::uint32_t unit, const UnitResult& result, double now
         ledger_.reopen(close(unit, now));
         return true;
     }
-    core_seconds_ += result.seconds;
+    // A unit is computed on one core, so no honest worker needs more than the time since.
+    const double wall = unit < published_.size() ? std::max(0.0, now - published_[unit].at) : 0.0;
+    const double seconds = std::clamp(result.seconds, 0.0, wall);
+    core_seconds_ += seconds;
     for (const SlotResult& each : result.results)
         take_claim(result, each, checked_share(cores));
-    memory_.costs.learn(result.results.size(), total_work(result.results), result.seconds);
+    memory_.costs.learn(result.results.size(), total_work(result.results), seconds);
     // A worker may have computed a part of a unit; the other creatures are open again.
     std::vector<std::size_t> left;
     for (const std::size_t creature : close(unit, now)) {

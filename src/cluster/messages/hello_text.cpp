@@ -52,10 +52,13 @@ void describe_hello(Archive& archive, Said& hello) {
 
 Hello cut_to_size(Hello hello) {
     hello.name = text_for_people(hello.name, kLongestName);
+    hello.simulator = text_for_people(hello.simulator, kLongestName);
     hello.refused = text_for_people(hello.refused, kLongestReasonOfHello);
     if (hello.refusals.size() > kMostRefusals) hello.refusals.resize(kMostRefusals);
     for (Refusal& refusal : hello.refusals)
         refusal.reason = text_for_people(refusal.reason, kLongestReasonOfHello);
+    for (auto& trial : hello.trials)
+        trial.name = text_for_people(trial.name, kLongestName);
     return hello;
 }
 

@@ -346,7 +346,7 @@ void NatsCoordinatorQueue::look_up_undeliverable(NatsSession& session, std::uint
     const auto unit = subjects_.unit_of(subject_of(*message));
     if (unit) {
         const std::lock_guard lock(mutex_);
-        if (!run_ || unit->run != *run_) return;  // a result for another coordinator
+        if (!run_ || unit->run != *run_) return;  // a unit of another run
         not_deliverable_.push_back(*unit);
     }
     js_DeleteMsg(session.jetstream(), stream.c_str(), sequence, nullptr, nullptr);

@@ -48,11 +48,12 @@ std::string host_of(std::string_view server) {
     return std::string(server);
 }
 
+// False only if there is no such host; a name that cannot be looked up now may be known later.
 bool is_known_host(const std::string& host) {
     addrinfo* found = nullptr;
     const int failure = ::getaddrinfo(host.c_str(), nullptr, nullptr, &found);
     if (failure == 0) ::freeaddrinfo(found);
-    return failure == 0;
+    return failure == 0 || failure == EAI_AGAIN;
 }
 
 // Returns advice about a certificate that is not accepted.

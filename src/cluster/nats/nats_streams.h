@@ -17,8 +17,8 @@ std::optional<LinkFailure> make_streams(NatsSession& session, const NatsSubjects
 natsStatus open_bucket(const NatsSession& session, const NatsSubjects& subjects,
                        NatsHandle<kvStore>& bucket);
 
-// Returns the meaning of a failed request. A refused permission is found in the session's
-// complaints.
+// Returns the meaning of a failed request. If it was refused, the session's refusal
+// tells why, and is taken from it.
 LinkFailure request_failure(NatsSession& session, natsStatus status, jsErrCode code,
                             const std::string& what);
 

@@ -2,6 +2,7 @@
 
 #include "cluster/messages/text_for_people.h"
 #include "core/files/file_descriptor.h"
+#include "core/spawn_group.h"
 
 #include <fmt/core.h>
 
@@ -52,8 +53,9 @@ int spawn_unit(const Streams& streams, pid_t& process) {
     ::posix_spawn_file_actions_adddup2(&actions, streams.question.get(), STDIN_FILENO);
     ::posix_spawn_file_actions_adddup2(&actions, streams.answer.get(), STDOUT_FILENO);
     ::posix_spawn_file_actions_adddup2(&actions, streams.messages.get(), STDERR_FILENO);
+    const SpawnGroup group;
     const int code =
-        ::posix_spawn(&process, kThisProgram, &actions, nullptr, arguments.data(), environ);
+        ::posix_spawn(&process, kThisProgram, &actions, group.get(), arguments.data(), environ);
     ::posix_spawn_file_actions_destroy(&actions);
     return code;
 }

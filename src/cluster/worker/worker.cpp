@@ -71,6 +71,7 @@ private:
     void watch_link();
     void say_hello(bool leaving);
     void give_back_waiting();
+    void stop_begun();
 
     // Runs on one thread for each core.
     void serve_core(const std::stop_token& stop);
@@ -129,6 +130,7 @@ Status Worker::run(const std::stop_token& stop) {
     give_back_waiting();
     for (std::jthread& core : cores_)
         core.request_stop();
+    stop_begun();
     cores_.clear();
     say_hello(true);
     if (!end_.empty()) return Error{end_};
@@ -243,6 +245,13 @@ void Worker::give_back_waiting() {
     });
 }
 
+// Ends units that are begun; what is left of each is given back.
+void Worker::stop_begun() {
+    const std::lock_guard lock(mutex_);
+    for (const InHandPtr& unit : in_hand_)
+        unit->stop.request_stop();
+}
+
 void Worker::serve_core(const std::stop_token& stop) {
     while (true) {
         InHandPtr unit;
@@ -269,6 +278,7 @@ InHandPtr Worker::take() {
 
 void Worker::work_on(InHand& unit, const std::stop_token& stop) {
     const UnitMessage& message = unit.delivery.unit;
+    if (stop.stop_requested()) return queue_.give_back(unit.delivery.ticket, milliseconds(0));
     if (unit.stop.stop_requested()) return queue_.discard(unit.delivery.ticket);
     const Result<UnitOutline> outline = parse_unit_outline(message.body);
     if (!outline) return discard(unit, outline.error().message);

@@ -24,9 +24,8 @@ struct WorkerOptions {
     std::function<void(std::string_view)> say;
 };
 
-// Returns after a stop request, once units that were not started are returned. Fails if a
-// coordinator found different bits: the message names trials of the proof set, or says that a
-// result differed.
+// Returns after a stop request, once unfinished units are given back. Fails if a coordinator found
+// that a result of this worker differs.
 Status work_for_cluster(const EvolutionKinds& kinds, WorkerQueue& queue,
                         const WorkerOptions& options, const std::stop_token& stop);
 

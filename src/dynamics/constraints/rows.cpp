@@ -258,7 +258,8 @@ void list_contact_rows(const RowSources& sources, ConstraintSystem& rows) {
 
 void add_limit_rows(const PlanarModel& model, const LimitSet& limits, const Kinematics& detected,
                     const BodyResponse& accelerations, ConstraintSystem& rows) {
-    for (int l = 0; l < limits.count; ++l) {
+    // A stop for which there is no room is passed by a little; the next step brings it back.
+    for (int l = 0; l < limits.count && rows.count < kMaxRows; ++l) {
         const LimitCandidate& limit = limits.items[l];
         CAMBRIAN_TICK_ASSERT(limit.sign == 1.0 || limit.sign == -1.0, "one of two stops");
         CAMBRIAN_TICK_ASSERT(is_body(model, limit.body) && model.parent[limit.body] >= 0,

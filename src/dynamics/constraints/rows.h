@@ -11,6 +11,8 @@
 
 namespace cambrian {
 
+// All contacts, with friction, and one stop for each joint. A joint whose range is hardly wider
+// than nothing has two; of more stops than there is room for, the last have no row.
 inline constexpr int kMaxRows = 188;
 static_assert(2 * kMaxContacts + kMaxBodies <= kMaxRows);
 

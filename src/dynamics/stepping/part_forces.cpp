@@ -25,6 +25,14 @@ void each_measured(const PlanarModel& model, const Visit& visit) {
 
 }  // namespace
 
+void note_speeds(const PlanarModel& model, const Kinematics& kinematics, PartForces& forces) {
+    each_measured(model, [&](int part) {
+        const Vec2 velocity = center_velocity(model, kinematics, part);
+        forces.speed_x[part] = velocity.x();
+        forces.speed_y[part] = velocity.y();
+    });
+}
+
 void begin_forces(const PlanarModel& model, PartForces& forces) {
     each_measured(model, [&](int part) { forces.load[part] = 0.0; });
 }

@@ -12,6 +12,9 @@ struct PartForces {
     PerPart load = {};  // N, sum of the normal forces; during a tick, the impulse in N s so far
 };
 
+// Notes the speeds at the start of a motion, of which the kinematics are given.
+void note_speeds(const PlanarModel& model, const Kinematics& kinematics, PartForces& forces);
+
 void begin_forces(const PlanarModel& model, PartForces& forces);
 
 // Adds the normal impulse (N s) of a contact to the parts that touch.

@@ -8,8 +8,8 @@
 
 namespace cambrian {
 
-// Whether a contact that was not selected for the step penetrates at its end and closes fast. The
-// solver must have detected the contacts there.
+// Whether a contact that was not selected for the step penetrates at its end and closes fast, or is
+// deeper than the contact band. The solver must have detected the contacts there.
 bool has_new_impact(const ContactSolver& contacts);
 
 // Returns the share of the step, in (0, 1], at which no new contact penetrates and one new contact

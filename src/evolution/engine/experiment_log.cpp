@@ -25,24 +25,27 @@ bool concerns_judgement(const SteeringCommand& command) {
            std::holds_alternative<RescorePopulation>(command);
 }
 
-// Applies the commands that concern children; the generation itself is already evaluated.
-void give_breeding_commands(Evolution& evolution, const std::vector<NotedCommand>& journal,
-                            std::uint32_t generation) {
+// Applies the commands of the present generation for which the condition holds.
+template <class Condition>
+void give_some(Evolution& evolution, const std::vector<NotedCommand>& journal,
+               const Condition& holds) {
+    const std::uint32_t generation = evolution.generation();
     for (const NotedCommand& noted : journal) {
-        if (noted.generation != generation) continue;
-        if (concerns_judgement(noted.command)) continue;
+        if (noted.generation != generation || !holds(noted.command)) continue;
         std::visit([&](const auto& command) { give(evolution, command); }, noted.command);
     }
 }
 
+// Applies the commands that concern children; the generation itself is already evaluated.
+void give_breeding_commands(Evolution& evolution, const std::vector<NotedCommand>& journal) {
+    give_some(evolution, journal,
+              [](const SteeringCommand& command) { return !concerns_judgement(command); });
+}
+
 }  // namespace
 
-void give_commands(Evolution& evolution, const std::vector<NotedCommand>& journal,
-                   std::uint32_t generation) {
-    for (const NotedCommand& noted : journal) {
-        if (noted.generation != generation) continue;
-        std::visit([&](const auto& command) { give(evolution, command); }, noted.command);
-    }
+void give_commands(Evolution& evolution, const std::vector<NotedCommand>& journal) {
+    give_some(evolution, journal, [](const SteeringCommand& /*command*/) { return true; });
 }
 
 namespace {
@@ -73,7 +76,7 @@ std::vector<JournalEntry> setting_changes(const SavedExperiment& saved) {
 
 Evolution begun_anew(const SavedExperiment& saved, const EvolutionKinds& kinds) {
     Evolution evolution(saved.settings, kinds, saved.founders);
-    give_commands(evolution, saved.journal, 0);
+    give_commands(evolution, saved.journal);
     return evolution;
 }
 
@@ -85,9 +88,9 @@ Evolution resumed(const SavedExperiment& saved, const EvolutionKinds& kinds) {
             state.champions.push_back(champion.individual->genome);
     }
     Evolution evolution(std::move(state), kinds);
-    give_breeding_commands(evolution, saved.journal, saved.latest->generation);
+    give_breeding_commands(evolution, saved.journal);
     evolution.breed();
-    give_commands(evolution, saved.journal, evolution.generation());
+    give_commands(evolution, saved.journal);
     return evolution;
 }
 

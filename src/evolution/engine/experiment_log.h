@@ -55,8 +55,7 @@ struct SavedExperiment {
 };
 
 // Applies to an evolution the commands that were given in its present generation.
-void give_commands(Evolution& evolution, const std::vector<NotedCommand>& journal,
-                   std::uint32_t generation);
+void give_commands(Evolution& evolution, const std::vector<NotedCommand>& journal);
 
 // Returns the settings of generation 0 and every later change.
 std::vector<JournalEntry> setting_changes(const SavedExperiment& saved);

@@ -14,7 +14,7 @@
 namespace cambrian {
 namespace {
 
-// Limit for the work of a repetition, as a multiple of the suspect trial's.
+// Expected work of a repetition, as a multiple of the suspect trial's.
 constexpr std::uint64_t kSuspectWork = 10;
 constexpr double kSuspectPenalty = 2.0;  // divides the score, simulator/README.md 4
 

@@ -10,7 +10,6 @@ namespace cambrian {
 namespace {
 
 constexpr double kFiner = 0.5;          // factor of the contact step
-constexpr double kFinestStep = 1e-4;    // s
 constexpr std::uint64_t kWorlds = 101;  // index that keeps these seeds apart from those of jitter
 
 }  // namespace
@@ -38,7 +37,7 @@ ExperimentSettings probed_world(const Probe& probe, const ExperimentSettings& se
         *number *= 1.0 + share * stream.uniform(-1.0, 1.0);
     creature.root_angle = wrap_angle(creature.root_angle + share * stream.uniform(-1.0, 1.0));
     double& step = changed.world.scene.contact_step;
-    if (probe.finer) step = std::max(std::min(step, kFinestStep), kFiner * step);
+    if (probe.finer) step = std::max(std::min(step, kLeastContactStep), kFiner * step);
     return changed;
 }
 

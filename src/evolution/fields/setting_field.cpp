@@ -244,47 +244,48 @@ void add_body(std::vector<SettingField>& fields) {
             [](Settings & s) -> auto& { return s.expression.strict_overlap; })
         .live = false;
     structural(
-        "min-nodes", "Founder nodes, least", "", Range{1, 16},
+        "min-nodes", "Founder nodes, least", "", Range{1, gene_range::kMaxNodes},
         "The smallest number of part genes of a random creature.",
         [](Settings & s) -> auto& { return s.founders.min_nodes; });
     structural(
-        "max-nodes", "Founder nodes, most", "", Range{1, 16},
+        "max-nodes", "Founder nodes, most", "", Range{1, gene_range::kMaxNodes},
         "The largest number of part genes of a random creature.",
         [](Settings & s) -> auto& { return s.founders.max_nodes; });
     structural(
-        "min-length", "Founder length, least", "m", Range{0.08, 1.6},
+        "min-length", "Founder length, least", "m",
+        Range{gene_range::kMinSize, gene_range::kMaxLength},
         "The smallest length of a random part.",
         [](Settings & s) -> auto& { return s.founders.min_length; });
     structural(
-        "max-length", "Founder length, most", "m", Range{0.08, 1.6},
-        "The largest length of a random part.",
+        "max-length", "Founder length, most", "m",
+        Range{gene_range::kMinSize, gene_range::kMaxLength}, "The largest length of a random part.",
         [](Settings & s) -> auto& { return s.founders.max_length; });
     structural(
-        "min-width", "Founder width, least", "m", Range{0.08, 0.96},
-        "The smallest width of a random part.",
+        "min-width", "Founder width, least", "m",
+        Range{gene_range::kMinSize, gene_range::kMaxWidth}, "The smallest width of a random part.",
         [](Settings & s) -> auto& { return s.founders.min_width; });
     structural(
-        "max-width", "Founder width, most", "m", Range{0.08, 0.96},
+        "max-width", "Founder width, most", "m", Range{gene_range::kMinSize, gene_range::kMaxWidth},
         "The largest width of a random part.",
         [](Settings & s) -> auto& { return s.founders.max_width; });
     structural(
         "moving-share", "Moving joints", "", Range{0, 1},
         "The share of a random creature's joints that move.",
-        [](Settings & s) -> auto& { return s.founders.rotary_share; });
+        [](Settings & s) -> auto& { return s.founders.moving_share; });
     structural(
         "symmetric-share", "Symmetry", "", Range{0, 1},
         "The share of a random creature's parts that grow as mirror pairs.",
         [](Settings & s) -> auto& { return s.founders.symmetric_share; });
     structural(
-        "max-recursion", "Founder recursion", "", Range{1, 6},
+        "max-recursion", "Founder recursion", "", Range{1, gene_range::kMaxRecursion},
         "The largest number of repetitions of a random part along a limb.",
         [](Settings & s) -> auto& { return s.founders.max_recursion; });
     structural(
-        "node-neurons", "Founder neurons a part", "", Range{0, 8},
+        "node-neurons", "Founder neurons a part", "", Range{0, gene_range::kMaxNodeNeurons},
         "The largest number of neurons in each part of a random creature.",
         [](Settings & s) -> auto& { return s.founders.max_node_neurons; });
     structural(
-        "brain-neurons", "Founder central neurons", "", Range{0, 16},
+        "brain-neurons", "Founder central neurons", "", Range{0, gene_range::kMaxBrainNeurons},
         "The largest number of central neurons of a random creature.",
         [](Settings & s) -> auto& { return s.founders.max_brain_neurons; });
 }
@@ -396,7 +397,7 @@ Status check_creatures(const Settings& s, const EvolutionKinds& kinds) {
         const auto set = s.mutation.weights.find(kind.id);
         weights += set == s.mutation.weights.end() ? kind.default_weight : set->second;
     }
-    if (!(weights > 0.0)) {
+    if (!(weights > 0.0) && s.mutation.scheme != "none") {
         return Error{
             "[mutation.weights]: all weights are 0; at least one must be above, or set "
             "[mutation] scheme to \"none\""};

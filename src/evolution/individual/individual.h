@@ -81,13 +81,13 @@ IndividualPtr without_score(const Individual& individual);
 // disqualified.
 bool disqualified(const Individual& individual);
 
-// Returns whether two genomes agree in all genes of parts, edges and root. Neurons and effectors
-// may differ.
-// differ.
+// Returns whether two genomes agree in all genes of parts, edges and root. Neurons, effectors and
+// organs may differ.
 bool same_body(const Genome& a, const Genome& b);
 
-// Returns whether a ranks before b: completed before failed, fitter first, then fewer nodes and
-// neurons, then older uid. The order is total and reproducible (evolution/README.md 1).
+// Returns whether a ranks before b: those with a valid motion first, then the fitter first, then
+// fewer nodes and neurons, then older uid. The order is total and reproducible (evolution/README.md
+// 1).
 bool better(const Individual& a, const Individual& b);
 
 }  // namespace cambrian

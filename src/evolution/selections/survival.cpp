@@ -70,8 +70,9 @@ private:
     std::map<std::uint64_t, std::size_t> of_plan_;
 };
 
-// Returns the creatures that finished a trial. They come before those that failed; between them are
-// creatures whose trial was terminated early, with the score of its beginning.
+// Returns the creatures that finished a trial and rank before the first that failed or was
+// rejected, which has the score 0. Between them are creatures whose trial was terminated early,
+// with the score of its beginning.
 std::vector<std::size_t> finished(std::span<const IndividualPtr> ranked) {
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < ranked.size(); ++i) {
@@ -95,6 +96,13 @@ std::vector<std::size_t> first_of_ranking(std::span<const IndividualPtr> ranked,
     Seats seats(ranked, wanted, max_clones);
     seats.seat(everybody(ranked), {});
     return seats.survivors();
+}
+
+double least_fitness(std::span<const IndividualPtr> ranked, std::span<const std::size_t> places) {
+    double least = ranked[places.front()]->result.fitness;
+    for (const std::size_t place : places)
+        least = std::min(least, ranked[place]->result.fitness);
+    return least;
 }
 
 std::size_t truncated_size(const PopulationSettings& population) {

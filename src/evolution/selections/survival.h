@@ -19,6 +19,10 @@ std::vector<std::size_t> everybody(std::span<const IndividualPtr> ranked);
 std::vector<std::size_t> first_of_ranking(std::span<const IndividualPtr> ranked, std::size_t wanted,
                                           int max_clones);
 
+// Returns the lowest fitness of some of the ranking. It may be that of one before the last, since
+// the disqualified come last, with fitness 0, even where others have less. There must be some.
+double least_fitness(std::span<const IndividualPtr> ranked, std::span<const std::size_t> places);
+
 // Returns the number of survivors of truncation: the settings' share of the population, at least
 // one.
 std::size_t truncated_size(const PopulationSettings& population);

@@ -3,7 +3,7 @@
 //
 //     w_i = 0.2 + (f_i - f_S) / (f_1 - f_S)
 //
-// where f_1 is the best and f_S the worst survivor's fitness (all are 1 if these are equal).
+// where f_1 is the best and f_S the least fitness of the survivors (all are 1 if these are equal).
 // Numbers are assigned by stochastic universal sampling. Only differences matter, so fitness may be
 // zero or negative.
 #include "evolution/selections/survival.h"
@@ -18,7 +18,7 @@ constexpr double kWorstWeight = 0.2;
 std::vector<double> breeding_weights(std::span<const IndividualPtr> ranked,
                                      std::span<const std::size_t> survivors) {
     const double best = ranked[survivors.front()]->result.fitness;
-    const double worst = ranked[survivors.back()]->result.fitness;
+    const double worst = least_fitness(ranked, survivors);
     std::vector<double> weights(ranked.size(), 0.0);
     for (const std::size_t index : survivors) {
         weights[index] =

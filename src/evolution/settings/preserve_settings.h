@@ -12,7 +12,7 @@ struct PreserveSettings {
     std::string bodies = "solid";   // "solid" or "ghostly"
     int founders = 40;              // creatures at the start
     int max_population = 300;       // no births beyond
-    int restock = 8;                // random immigrants come below so many creatures; 0 for never
+    int restock = 8;                // copies of founders come below so many creatures; 0 for never
     double energy_density = 50.0;   // J/m^2; all energy there is, over the area
     double plant_energy = 10.0;     // J of one plant
     double plant_height = 0.5;      // m; with ground, up to which plants grow

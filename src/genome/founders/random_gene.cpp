@@ -121,7 +121,7 @@ std::uint8_t random_joint(const GenePool& pool, RandomStream& stream) {
         (pool.catalog.joints[joint].degrees_of_freedom > 0 ? moving : rigid).push_back(joint);
     }
     CAMBRIAN_TICK_ASSERT(!rigid.empty() || !moving.empty(), "some joint is enabled");
-    const bool moves = stream.chance(pool.settings.rotary_share);
+    const bool moves = stream.chance(pool.settings.moving_share);
     if (rigid.empty() || (moves && !moving.empty())) return stream.pick(moving);
     return stream.pick(rigid);
 }

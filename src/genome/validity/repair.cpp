@@ -11,8 +11,6 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kMaxName = 64;  // bytes
-
 template <class Gene>
 void fit_fields(Gene& gene, std::span<const GeneField<Gene>> fields) {
     for (const GeneField<Gene>& field : fields)
@@ -120,7 +118,7 @@ void repair(Genome& genome, const KindCatalog& catalog) {
     if (!std::isfinite(genome.hue)) genome.hue = 0.0;
     genome.hue -= std::floor(genome.hue);
     if (genome.hue >= 1.0) genome.hue = 0.0;
-    if (genome.name.size() > kMaxName) genome.name.resize(kMaxName);
+    if (genome.name.size() > gene_range::kMaxName) genome.name.resize(gene_range::kMaxName);
     restore_canonical_order(genome);
     CAMBRIAN_TICK_ASSERT(validate(genome, catalog).empty(), "repair leaves a valid genome");
 }

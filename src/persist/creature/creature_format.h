@@ -23,7 +23,6 @@ inline const std::string kFormat = "cambrian-creature";
 // organs are written as version 2.
 inline constexpr int kVersion = 3;
 inline constexpr int kVersionWithoutOrgans = 2;
-inline constexpr std::size_t kMaxName = 64;  // bytes
 inline constexpr std::size_t kMaxUid = 32;
 inline constexpr std::size_t kMaxWord = 64;
 inline constexpr double kMostWorlds = 100.0;
@@ -257,7 +256,7 @@ template <class Archive, class Document>
 void describe_identity(Archive& archive, Document& document, const KindNames& names) {
     archive.type("creature");
     auto& genome = document.genome;
-    if (archive.has("name")) archive.text("name", genome.name, kMaxName);
+    if (archive.has("name")) archive.text("name", genome.name, gene_range::kMaxName);
     if (archive.has("uid")) archive.text("uid", document.uid, kMaxUid);
     if (archive.has("parents")) archive.texts("parents", document.parents, 2, kMaxUid);
     if (archive.has("method")) archive.text("method", document.method, kMaxWord);
@@ -268,7 +267,7 @@ void describe_identity(Archive& archive, Document& document, const KindNames& na
 template <class Archive, class Genes>
 void describe_opponent(Archive& archive, Genes& genome, const KindNames& names) {
     archive.type("opponent");
-    if (archive.has("name")) archive.text("name", genome.name, kMaxName);
+    if (archive.has("name")) archive.text("name", genome.name, gene_range::kMaxName);
     describe_traits(archive, genome, names);
     describe_genes(archive, genome, names);
 }

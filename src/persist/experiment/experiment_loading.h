@@ -25,6 +25,7 @@ Result<Part> load_from_experiment(const std::filesystem::path& path, Read read) 
     try {
         std::optional<Result<Part>> part;
         read_database(path, [&](const Database& database) {
+            database.prepare("BEGIN").run();  // what others write meanwhile is not seen
             const Result<std::optional<Database>> newer = newer_copy(database);
             if (newer) {
                 part = read(*newer ? **newer : database);

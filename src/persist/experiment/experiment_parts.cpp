@@ -79,6 +79,7 @@ Status copy_experiment(const std::filesystem::path& from, const std::filesystem:
         });
         if (!copied) return copied;
         Database(file->path(), Database::Access::kWrite).make_durable();
+        remove_companions(file->target());
         return file->commit(PendingFile::Existing::kRefuse);
     } catch (const DatabaseError& error) {
         return refusal(error.what());

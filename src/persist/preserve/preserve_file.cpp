@@ -29,12 +29,19 @@ Error preserve_failure(const char* task, const std::filesystem::path& path,
 constexpr const char* kKeepingPreserve = "cannot keep the preserve in";
 constexpr const char* kOpeningPreserve = "cannot open";
 
+Database writable(const std::filesystem::path& path) {
+    Database database(path, Database::Access::kWrite);
+    database.allow_values_of(kMostSnapshotBytes);
+    return database;
+}
+
 // Returns the Result<Part> of `read(const Database&)` of a preserve file.
 template <class Part, class Read>
 Result<Part> load_from_preserve(const std::filesystem::path& path, Read read) {
     try {
         std::optional<Result<Part>> part;
         read_database(path, [&](const Database& database) {
+            database.prepare("BEGIN").run();  // what others write meanwhile is not seen
             const Status sound = check_preserve_tables(database);
             part = sound ? read(database)
                          : preserve_failure(kOpeningPreserve, path, sound.error().message);
@@ -173,7 +180,7 @@ Status copy_preserve(const std::filesystem::path& from, std::uint64_t tick,
                     return;
                 }
                 database.copy_to(pending->path());
-                Database copy(pending->path(), Database::Access::kWrite);
+                Database copy = writable(pending->path());
                 upgrade_preserve_tables(copy);
                 PreserveWriter(copy, kinds).remove_after(*state);
                 copied = {};
@@ -199,7 +206,7 @@ Result<std::unique_ptr<PreserveFile>> PreserveFile::create(const std::filesystem
     if (!pending) return pending.error();
     try {
         {
-            Database database(pending->path(), Database::Access::kWrite);
+            Database database = writable(pending->path());
             create_preserve_tables(database);
             database.make_durable();
             Transaction transaction(database);
@@ -213,7 +220,7 @@ Result<std::unique_ptr<PreserveFile>> PreserveFile::create(const std::filesystem
             return moved.error();
         Result<FileLock> lock = FileLock::take(path);
         if (!lock) return preserve_failure(kKeepingPreserve, path, lock.error().message);
-        Database database(path, Database::Access::kWrite);
+        Database database = writable(path);
         database.make_durable();
         std::unique_ptr<PreserveFile> file(new PreserveFile(
             std::make_unique<Parts>(path, std::move(*lock), std::move(database), kinds)));
@@ -229,7 +236,7 @@ Result<PreserveFile::Opened> PreserveFile::open(const std::filesystem::path& pat
     Result<FileLock> lock = FileLock::take(path);
     if (!lock) return preserve_failure(kOpeningPreserve, path, lock.error().message);
     try {
-        Database database(path, Database::Access::kWrite);
+        Database database = writable(path);
         if (Status sound = check_preserve_tables(database); !sound)
             return preserve_failure(kOpeningPreserve, path, sound.error().message);
         upgrade_preserve_tables(database);

@@ -6,7 +6,7 @@
 namespace cambrian {
 namespace {
 
-constexpr std::int64_t kMostWords = 16'000'000;        // of a snapshot
+constexpr std::int64_t kMostWords = kMostSnapshotBytes / 8;
 constexpr std::size_t kMostDeflation = 1032;           // bytes from one of deflated data
 constexpr std::int64_t kMostSettingsText = 1'000'000;  // bytes
 constexpr std::size_t kMostFounders = 1000;

@@ -79,8 +79,12 @@ inline constexpr std::array kLifeColumns = {
 };
 LifeRow row_of(const Life& life);
 
+// Bytes of the largest snapshot that is read or written.
+inline constexpr int kMostSnapshotBytes = 128'000'000;
+
 void create_preserve_tables(Database& database);
-// Fails with a sentence if the database is not a preserve that this program reads.
+// Fails with a sentence if the database is not a preserve that this program reads; otherwise allows
+// the values that preserves have.
 Status check_preserve_tables(const Database& database);
 // Brings tables of an earlier version to that of this program.
 void upgrade_preserve_tables(Database& database);

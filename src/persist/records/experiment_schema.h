@@ -70,7 +70,6 @@ inline constexpr std::array kAuditColumns = {
 };
 
 // Upgrades the tables from version 2 to version 3: founder lines, body plans, confirmed scores.
-// scores.
 void add_lines_and_confirmations(Database& database);
 
 // Creates the tables in an empty database.
@@ -78,7 +77,6 @@ void create_tables(Database& database);
 
 // Returns the version of an experiment's tables. Fails if the file is not an experiment or is newer
 // than this program; the message says what it is.
-// than this program.
 Result<std::int64_t> version_of_tables(const Database& database);
 // Checks that every table is as this version creates it.
 Status check_tables(const Database& database);

@@ -73,7 +73,10 @@ Result<ExperimentSettings> with_typed(ExperimentSettings settings,
         if (!text) return text.error();
         texts.push_back(*std::move(text));
     }
-    return merge_settings(texts, kinds);
+    Result<ExperimentSettings> changed = merge_settings(texts, kinds);
+    if (changed && changed->goal == settings.goal)
+        changed->world.opponents = std::move(settings.world.opponents);  // they have no text
+    return changed;
 }
 
 }  // namespace cambrian

@@ -11,7 +11,7 @@
 namespace cambrian {
 namespace {
 
-constexpr int kLongestValue = 5'000'000;  // bytes
+constexpr int kLongestValue = 5'000'000;  // bytes, unless more are allowed
 constexpr int kPatience = 2000;           // ms to wait while another program reads or writes
 constexpr int kWriterCache = 256;         // kB of pages; writers hardly read what they wrote
 
@@ -207,6 +207,10 @@ void Database::distrust() {
     sqlite3_db_config(connection, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
     execute("PRAGMA cell_size_check = ON");
     execute("PRAGMA mmap_size = 0");
+}
+
+void Database::allow_values_of(int bytes) const {
+    sqlite3_limit(connection_.get(), SQLITE_LIMIT_LENGTH, bytes);
 }
 
 Database Database::copy() const {

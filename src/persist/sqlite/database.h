@@ -106,6 +106,9 @@ public:
     // the disk when it returns. Fails if the file cannot have such a log.
     void make_durable();
 
+    // Allows texts and blobs of so many bytes; 5 MB are allowed otherwise.
+    void allow_values_of(int bytes) const;
+
     void execute(const std::string& sql);
     Statement prepare(std::string_view sql) const { return {connection_.get(), sql}; }
     // Returns the single value of a query.

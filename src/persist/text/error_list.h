@@ -21,7 +21,7 @@ std::string in_quotes(std::string_view text);
 
 class ErrorList {
 public:
-    static constexpr std::size_t kLimit = 20;  // further errors are only counted
+    static constexpr std::size_t kLimit = 20;  // further errors are left out
 
     // `place` is a JSON pointer, or "line 3, [table] key"; empty if the message contains the place.
     void error(std::string_view code, std::string_view place, std::string_view message);

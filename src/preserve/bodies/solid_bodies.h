@@ -62,7 +62,7 @@ public:
     void advance(std::span<SolidBody> bodies, double duration, const SolidActs& acts,
                  Workspaces workspaces, ThreadPool& pool);
 
-    // Forgets contacts, as after a snapshot, and frees what the next tick computes anew.
+    // Forgets contacts, as after a snapshot, and frees what the next tick computes again.
     void forget();
 
     const SolidCounts& counts() const { return counts_; }

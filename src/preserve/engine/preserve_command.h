@@ -20,9 +20,6 @@ inline constexpr double kFullSpeed = 0.0;
 struct Intervene {
     Intervention intervention;  // its tick is ignored
 };
-// Takes a snapshot and writes everything to the log.
-struct KeepPreserve {};
-
 // Lets the log keep these pins, from when it is written next.
 struct KeepPins {
     Pins pins;
@@ -33,7 +30,7 @@ struct WatchBrain {
     std::uint64_t creature = 0;  // number; 0 for none
 };
 
-using PreserveCommand = std::variant<PlayPreserve, StepPreserve, PacePreserve, Intervene,
-                                     KeepPreserve, KeepPins, WatchBrain>;
+using PreserveCommand =
+    std::variant<PlayPreserve, StepPreserve, PacePreserve, Intervene, KeepPins, WatchBrain>;
 
 }  // namespace cambrian

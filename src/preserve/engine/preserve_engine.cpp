@@ -32,24 +32,41 @@ PreserveEngine::~PreserveEngine() {
 
 void PreserveEngine::run(const std::stop_token& stop) {
     ThreadPool pool(threads_.workers, threads_.priority);
-    while (!stop.stop_requested()) {
-        const bool commanded = inbox_.drain([this](PreserveCommand command) {
-            std::visit([this](const auto& each) { apply(each); }, command);
-        });
-        if (commanded) publish();
-        if (!shown_.playing && !single_tick_) {
-            inbox_.wait(stop);
-            continue;
-        }
-        try {
-            inbox_.work_until_command(
-                stop, [&](const std::stop_token& interrupted) { advance(pool, interrupted); });
-        } catch (const std::exception& failure) {
-            stop_with(failure.what());
-            publish();
-        }
+    while (!stop.stop_requested())
+        guard([&] { work(pool, stop); });
+    guard([&] { obey(); });
+    guard([&] { keep(); });
+}
+
+void PreserveEngine::work(ThreadPool& pool, const std::stop_token& stop) {
+    obey();
+    if (!shown_.playing && !single_tick_) {
+        inbox_.wait(stop);
+        return;
     }
-    keep();
+    inbox_.work_until_command(
+        stop, [&](const std::stop_token& interrupted) { advance(pool, interrupted); });
+}
+
+// After an exception the preserve is never advanced or written again; its log keeps the last
+// snapshot.
+template <class Work>
+void PreserveEngine::guard(const Work& work) {
+    try {
+        work();
+    } catch (const std::exception& failure) {
+        is_broken_ = true;
+        stop_with(failure.what());
+        publish();
+    }
+}
+
+// Obeys all commands that have arrived.
+void PreserveEngine::obey() {
+    const bool commanded = inbox_.drain([this](PreserveCommand command) {
+        std::visit([this](const auto& each) { apply(each); }, command);
+    });
+    if (commanded) publish();
 }
 
 void PreserveEngine::advance(ThreadPool& pool, const std::stop_token& interrupted) {
@@ -109,7 +126,7 @@ void PreserveEngine::write() {
 // A rest is an intervention, so that replays have it, too. A preserve at its snapshot needs none.
 void PreserveEngine::keep() {
     const Preserve& preserve = *start_.preserve;
-    if (!start_.log) return;
+    if (!start_.log || is_broken_) return;
     const bool changed =
         preserve.snapshot()->tick != preserve.ticks() || !unwritten_.interventions.empty();
     if (changed) {
@@ -131,12 +148,14 @@ void PreserveEngine::tell(PreserveNews news) {
 }
 
 void PreserveEngine::apply(PlayPreserve command) {
+    if (is_broken_) return;
     shown_.playing = command.playing;
     shown_.failure.clear();
     pacing_.begin();
 }
 
 void PreserveEngine::apply(StepPreserve) {
+    if (is_broken_) return;
     shown_.playing = false;
     single_tick_ = true;
 }
@@ -146,16 +165,13 @@ void PreserveEngine::apply(PacePreserve command) {
 }
 
 void PreserveEngine::apply(const Intervene& command) {
-    const Result<std::uint64_t> done = start_.preserve->intervene(command.intervention);
+    const Result<std::uint64_t> done = is_broken_
+                                           ? Result<std::uint64_t>(Error{shown_.failure})
+                                           : start_.preserve->intervene(command.intervention);
     tell({.what = command.intervention.what,
           .number = done ? *done : 0,
           .problem = done ? std::string() : done.error().message});
     take_chronicle();
-}
-
-void PreserveEngine::apply(KeepPreserve) {
-    keep();
-    tell({.what = "keep", .problem = shown_.failure});
 }
 
 void PreserveEngine::apply(KeepPins command) {

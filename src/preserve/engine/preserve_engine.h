@@ -48,6 +48,10 @@ public:
 
 private:
     void run(const std::stop_token& stop);
+    void work(ThreadPool& pool, const std::stop_token& stop);
+    template <class Work>
+    void guard(const Work& work);
+    void obey();
     void advance(ThreadPool& pool, const std::stop_token& interrupted);
     void tick(ThreadPool& pool);
     void take_chronicle();
@@ -59,7 +63,6 @@ private:
     void apply(StepPreserve command);
     void apply(PacePreserve command);
     void apply(const Intervene& command);
-    void apply(KeepPreserve command);
     void apply(KeepPins command);
     void apply(WatchBrain command);
     void publish();
@@ -77,6 +80,7 @@ private:
     PreservePicture shown_;  // all but what publish() takes from the preserve
     Stopwatch published_;
     bool single_tick_ = false;
+    bool is_broken_ = false;  // an exception left the preserve in the middle of a change
 
     std::jthread thread_;  // last member, so that it is joined before the others are destroyed
 };

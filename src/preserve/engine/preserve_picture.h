@@ -42,7 +42,7 @@ struct LiveBrain {
 // The answer to an intervention.
 struct PreserveNews {
     std::uint64_t id = 0;  // ascending
-    std::string what;      // of the intervention, or "keep"
+    std::string what;      // of the intervention
     std::uint64_t number = 0;
     std::string problem;  // why it could not be done, or empty
 };

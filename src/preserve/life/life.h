@@ -16,7 +16,6 @@ namespace cambrian {
 enum class DeathCause : std::uint8_t { kAlive, kHunger, kEaten, kBrokenPhysics, kRemoved };
 inline constexpr std::array<std::string_view, 5> kDeathCauses = {"", "hunger", "eaten",
                                                                  "broken physics", "removed"};
-inline constexpr std::size_t kDeathCauseCount = kDeathCauses.size();
 
 struct Life {
     std::uint64_t number = 0;  // counted from 1, in the order of births

@@ -50,15 +50,12 @@ Resident::Resident(Life begun, std::unique_ptr<const Phenotype> phenotype, const
 }
 
 void Resident::find_places() {
-    const bool solid = is_solid(settings_->preserve);
     for (std::size_t i = 0; i < rectangles_.size(); ++i)
-        rectangles_[i] = rectangle_of(
-            *scene_, i,
-            solid ? scene_->part_half_extents(i) : phenotype_->plan.parts[i].half_extents);
+        rectangles_[i] = rectangle_of(*scene_, i, scene_->part_half_extents(i));
     bounds_ = scene_->bounds();
     center_ = scene_->center_of_mass();
     velocity_ = scene_->center_of_mass_velocity();
-    if (solid) fastest_ = fastest_point(*scene_);
+    if (is_solid(settings_->preserve)) fastest_ = fastest_point(*scene_);
 }
 
 Vec3 Resident::standing_at(double x) const {
@@ -81,11 +78,10 @@ void Resident::surround_by(std::vector<FixedBox> boxes) {
 }
 
 void Resident::live(std::unique_ptr<SceneWorkspace>& workspace, const WorldArea& area) {
-    act(area);
     scene_->give_workspace(std::move(workspace));
-    const SceneStatus status = scene_->advance(kBrainTick);
+    act(area);
+    end_tick(scene_->advance(kBrainTick));
     workspace = scene_->take_workspace();
-    end_tick(status);
 }
 
 void Resident::act(const WorldArea& area) {

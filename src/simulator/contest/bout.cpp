@@ -92,14 +92,20 @@ void Bout::act(std::uint64_t tick) {
     creature_->act(*opponent_, *surroundings_, kBrainTick);
 }
 
-std::vector<PhysicsScene*> Bout::scenes(PhysicsScene& own) const {
-    std::vector<PhysicsScene*> scenes = {&own, cube_.get()};
-    if (is_present_) scenes.push_back(opponent_.get());
-    return scenes;
+void Bout::pass_on_emissions(std::uint64_t tick) {
+    if (!is_present_) return;
+    opponent_->list_impacts(impacts_);
+    surroundings_->take(creature_->emissions(), impacts_, tick);
 }
 
-SceneStatus Bout::advance_joined(PhysicsScene& own, double duration) {
-    return joined_->advance(scenes(own), duration, *workspace_);
+void Bout::join(PhysicsScene& own) {
+    scenes_ = {&own, cube_.get()};
+    if (is_present_) scenes_.push_back(opponent_.get());
+    joined_ = kinds_->scene.join(scenes_);
+}
+
+SceneStatus Bout::advance_joined(double duration) {
+    return joined_->advance(scenes_, duration, *workspace_);
 }
 
 bool Bout::opponent_fails_alone(double duration) {
@@ -111,12 +117,12 @@ bool Bout::opponent_fails_alone(double duration) {
 
 SceneStatus Bout::advance(PhysicsScene& own, double duration) {
     if (status_ != SceneStatus::kRunning) return status_;
-    status_ = advance_joined(own, duration);
+    status_ = advance_joined(duration);
     if (status_ != SceneStatus::kRunning && is_present_ && opponent_fails_alone(duration)) {
         last_distance_ = distance_to_cube(*opponent_);
         is_present_ = false;
         join(own);
-        status_ = advance_joined(own, duration);
+        status_ = advance_joined(duration);
     }
     return status_;
 }

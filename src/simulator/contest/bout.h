@@ -41,6 +41,8 @@ public:
     // Advances all bodies by a tick (s). An opponent whose own motion cannot be computed leaves the
     // bout; its distance stays what it was. After any other failure nothing moves any more.
     SceneStatus advance(PhysicsScene& own, double duration);
+    // Lets the opponent sense from the next tick on what it gave off in this one.
+    void pass_on_emissions(std::uint64_t tick);
     bool is_calm() const;  // whether the opponent has settled
 
     BoutDistances distances(const PhysicsScene& own) const;
@@ -68,9 +70,8 @@ public:
 private:
     Bout(std::shared_ptr<const Phenotype> opponent, const Kinds& kinds, const BoutWorld& world);
     Status make_scenes(const BoutWorld& world, const PhysicsScene& own);
-    std::vector<PhysicsScene*> scenes(PhysicsScene& own) const;
-    void join(PhysicsScene& own) { joined_ = kinds_->scene.join(scenes(own)); }
-    SceneStatus advance_joined(PhysicsScene& own, double duration);
+    void join(PhysicsScene& own);
+    SceneStatus advance_joined(double duration);
     bool opponent_fails_alone(double duration);
     double distance_to_cube(const PhysicsScene& scene) const;
 
@@ -81,7 +82,9 @@ private:
     std::optional<TrialSurroundings> surroundings_;  // of the opponent
     std::unique_ptr<Creature> creature_;             // the opponent
     std::unique_ptr<SceneWorkspace> workspace_;
+    std::vector<PhysicsScene*> scenes_;  // of all that take part
     std::unique_ptr<JoinedScenes> joined_;
+    std::vector<SceneImpact> impacts_;  // of the opponent in the last tick
     SceneStatus status_ = SceneStatus::kRunning;
     bool is_present_ = false;     // whether the opponent takes part
     double last_distance_ = 0.0;  // m, of an opponent that does not

@@ -16,7 +16,7 @@ struct TrialSettings {
     double max_ground_depth = 0.05;  // m; deeper for over 0.2 s is invalid
     double max_reversal_rate = 5.0;  // Hz; above it the score is scaled down
     bool stop_at_rest = true;        // ends a trial when nothing can move again (section 3)
-    bool has_cube = false;           // a free cube to fight for (section 6)
+    bool has_cube = false;           // a free cube to fight for (section 7)
     int trials = 1;                // the first is in the unchanged world, further ones have jitter:
     double friction_jitter = 0.0;  // share of the friction, in both directions
     double tilt_jitter = 0.0;      // degrees of the start pose, in both directions

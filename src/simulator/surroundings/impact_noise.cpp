@@ -13,7 +13,8 @@ constexpr double kFullImpulse = 0.5;    // N s; larger impacts are no louder
 void add_noise(std::span<const SceneImpact> impacts, std::vector<Sound>& sounds) {
     for (const SceneImpact& impact : impacts) {
         if (!(impact.impulse > kLeastImpulse)) continue;
-        const int band = impact.other_part < 0 ? kGroundBand : kCreatureBand;
+        const bool on_ground = impact.other_part < 0 && impact.other_scene == nullptr;
+        const int band = on_ground ? kGroundBand : kCreatureBand;
         sounds.push_back({impact.point, band, std::min(1.0, impact.impulse / kFullImpulse)});
     }
 }

@@ -6,8 +6,6 @@
 namespace cambrian {
 namespace {
 
-constexpr std::uint32_t kOwnNumber = 0;  // of the only creature
-
 constexpr int kColumns = 128;  // 64 m around the start
 constexpr int kRows = 64;      // 32 m
 
@@ -27,7 +25,6 @@ TrialSurroundings::TrialSurroundings(const Environment& environment, const Light
                                      double rest_length, const UsedSenses& used)
     : environment_(environment), used_(used), source_(environment, draw, rest_length) {
     sounds_.reserve(used.voices + kMostImpacts);
-    loudness_.reserve(used.voices + kMostImpacts);
     find_up();
     lay_out_field();
 }
@@ -50,27 +47,14 @@ void TrialSurroundings::lay_out_field() {
     if (used_.scents || used_.smells) field_.emplace(scent_area(environment_));
 }
 
-double TrialSurroundings::sound(const Vec3& point, int band) const {
-    return environment_.deaf ? 0.0 : loudness_.at(point, band, kOwnNumber);
-}
-
 double TrialSurroundings::scent(const Vec3& point) const {
     return environment_.scentless || !field_ ? 0.0 : field_->at(point);
-}
-
-void TrialSurroundings::sum_sounds() {
-    if (!used_.hears) return;
-    loudness_.clear();
-    for (const Sound& sound : sounds_)
-        loudness_.add(sound, kOwnNumber);
-    loudness_.finish();
 }
 
 void TrialSurroundings::take(const Emissions& emissions, std::span<const SceneImpact> impacts,
                              std::uint64_t tick) {
     sounds_.assign(emissions.sounds.begin(), emissions.sounds.end());
     add_noise(impacts, sounds_);
-    sum_sounds();
     if (!field_) return;
     for (const Scent& scent : emissions.scents)
         field_->add(scent.place, scent.amount);
@@ -88,7 +72,6 @@ TrialSurroundings::Moment TrialSurroundings::save() const {
 void TrialSurroundings::restore(const Moment& moment) {
     source_.restore(moment.light);
     sounds_.assign(moment.sounds.begin(), moment.sounds.end());
-    sum_sounds();
     if (field_) field_->restore(moment.scent);
 }
 

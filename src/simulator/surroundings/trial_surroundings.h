@@ -3,7 +3,6 @@
 // The surroundings of a creature in the world of a trial.
 
 #include "simulator/surroundings/light_source.h"
-#include "simulator/surroundings/loudness_sum.h"
 #include "simulator/surroundings/scent_field.h"
 #include "simulator/surroundings/used_senses.h"
 #include "world/environment.h"
@@ -25,7 +24,7 @@ public:
     Vec3 up() const override { return up_; }
     Light light(const Vec3& point) const override { return source_.at(point); }
     // A trial has one creature, which does not hear itself, so there is nothing to hear.
-    double sound(const Vec3& point, int band) const override;
+    double sound(const Vec3& /*point*/, int /*band*/) const override { return 0.0; }
     double scent(const Vec3& point) const override;
 
     const LightSource& source() const { return source_; }
@@ -36,8 +35,8 @@ public:
     // The scent, or null if the creature has no use for it.
     const ScentField* scent_field() const { return field_ ? &*field_ : nullptr; }
 
-    // Takes what the creature gave off in a tick. It can be heard and smelled from the next tick
-    // on. `tick` counts the ticks of the test from 0. Allocates nothing.
+    // Takes what the creature gave off in a tick. It can be smelled from the next tick on. `tick`
+    // counts the ticks of the test from 0. Allocates nothing.
     void take(const Emissions& emissions, std::span<const SceneImpact> impacts, std::uint64_t tick);
     // Returns whether the world may still change for a creature that rests.
     bool changes() const;
@@ -54,14 +53,12 @@ public:
 private:
     void find_up();
     void lay_out_field();
-    void sum_sounds();
 
     Environment environment_;
     UsedSenses used_;
     Vec3 up_ = Vec3::Zero();
     LightSource source_;
     std::vector<Sound> sounds_;
-    LoudnessSum loudness_;
     std::optional<ScentField> field_;
 };
 

@@ -3,13 +3,14 @@
 namespace cambrian {
 
 UsedSenses senses_of(const Phenotype& phenotype, const Kinds& kinds) {
-    UsedSenses used{.voices = phenotype.organs.size()};
-    for (const GrownOrgan& organ : phenotype.organs)
-        used.scents |= kinds.organs[organ.kind].scents;
-    for (const WiredSensor& sensor : phenotype.sensors) {
-        used.hears |= kinds.sensors[sensor.kind].hears;
-        used.smells |= kinds.sensors[sensor.kind].smells;
+    UsedSenses used;
+    for (const GrownOrgan& organ : phenotype.organs) {
+        const OrganKind& kind = kinds.organs[organ.kind];
+        used.scents |= kind.scents;
+        used.voices += kind.sounds ? 1 : 0;
     }
+    for (const WiredSensor& sensor : phenotype.sensors)
+        used.smells |= kinds.sensors[sensor.kind].smells;
     return used;
 }
 

@@ -9,7 +9,6 @@ namespace cambrian {
 // What a creature has of the organs and senses that need something of its surroundings.
 struct UsedSenses {
     bool scents = false;     // has an organ that gives off scent
-    bool hears = false;      // has an ear that something reads
     bool smells = false;     // has a sense of smell that something reads
     std::size_t voices = 0;  // largest number of sounds that its organs make in a tick
 };

@@ -60,7 +60,7 @@ TEST_CASE("every arm has a row, and its best champion is shown", "[studio][compa
         std::make_shared<const ComparisonResults>(results_of({"a", "b"}, 2, runs, "folder"));
     run.frame();
     CHECK(test::asked<LoadFile>(run.click("Show best")).path ==
-          "folder/champions/walking-b-seed1.creature.json");
+          "folder/champions/walking-b-seed1-1000-.creature.json");
 }
 
 TEST_CASE("results sum up the runs of each arm against the first", "[studio][comparison]") {
@@ -72,7 +72,7 @@ TEST_CASE("results sum up the runs of each arm against the first", "[studio][com
     CHECK(results.arms[0].result->median == 2.0);
     CHECK_FALSE(results.arms[0].result->contest);
     CHECK(results.arms[1].result->contest->ratio == 2.0);
-    CHECK(results.arms[1].champion == "folder/champions/walking-b-seed1.creature.json");
+    CHECK(results.arms[1].champion == "folder/champions/walking-b-seed1-1000-.creature.json");
     CHECK_FALSE(results.arms[2].result);
 }
 

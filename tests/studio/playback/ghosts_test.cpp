@@ -91,6 +91,7 @@ TEST_CASE("ghosts are in the same world as the displayed creature", "[studio][gh
     run.studio.playback().creature().set_environment(moon);
     run.update();
     run.play_to(120);
+    REQUIRE_FALSE(run.ghosts.all().empty());
     for (const auto& ghost : run.ghosts.all())
         CHECK(ghost->trial().scene().center_of_mass() ==
               run.studio.playback().trial().scene().center_of_mass());
