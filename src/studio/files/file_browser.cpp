@@ -2,6 +2,8 @@
 
 #include "persist/creature/creature_card.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <string_view>
 #include <system_error>
@@ -35,6 +37,17 @@ const char* ending_of(FileTask task) {
             return ".png";
     }
     return ".creature.json";
+}
+
+std::string free_name(const std::filesystem::path& folder, const std::string& name,
+                      const std::string& ending) {
+    if (!name.ends_with(ending)) return name;
+    const std::string stem = name.substr(0, name.size() - ending.size());
+    std::string free = name;
+    std::error_code unknown;
+    for (int number = 2; std::filesystem::exists(folder / free, unknown); ++number)
+        free = fmt::format("{}-{}{}", stem, number, ending);
+    return free;
 }
 
 FolderListing list_folder(const std::filesystem::path& folder, FileTask task) {

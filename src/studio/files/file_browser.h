@@ -36,12 +36,17 @@ struct FileBrowser {
     FileTask task = FileTask::kOpen;
     FolderListing listing;
     std::string suggested_name;
-    PictureSize picture;  // size of the plot's picture to save
+    std::filesystem::path own_file;  // the experiment's, which saving it replaces without asking
+    PictureSize picture;             // size of the plot's picture to save
     unsigned opened = 0;  // number of openings so far; the panel clears its fields when it changes
 };
 
 // Returns the file name ending for a task; for kOpen, that of creature files.
 const char* ending_of(FileTask task);
+
+// Returns the name or, if the folder has a file of that name, one with a number: "hopper-2.toml".
+std::string free_name(const std::filesystem::path& folder, const std::string& name,
+                      const std::string& ending);
 
 // Reads a folder. Hidden entries are left out.
 FolderListing list_folder(const std::filesystem::path& folder, FileTask task);

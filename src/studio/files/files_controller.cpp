@@ -51,7 +51,13 @@ struct FilesController::Handler {
         browser.task = request.task;
         ++browser.opened;
         browser.picture = request.picture;
-        browser.suggested_name = self.suggested_name(request.task);
+        browser.own_file = request.task == FileTask::kSaveExperiment
+                               ? self.subjects_.experiment.open().file()
+                               : std::filesystem::path();
+        const std::string name = self.suggested_name(request.task);
+        browser.suggested_name = browser.own_file.empty() ? free_name(browser.listing.folder, name,
+                                                                      ending_of(request.task))
+                                                          : name;
         self.file_service_.list(browser.listing.folder, browser.task);
     }
     void operator()(const CloseFilePanel&) const { self.browser_.open = false; }

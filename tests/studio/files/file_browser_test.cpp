@@ -31,5 +31,16 @@ TEST_CASE("a folder that cannot be read says why", "[studio][file_browser]") {
     CHECK(listing.files.empty());
 }
 
+TEST_CASE("a name that is taken gets a number before its ending", "[studio][file_browser]") {
+    const TemporaryDirectory folder;
+    const std::string ending = ".creature.json";
+    const auto named = [&] { return free_name(folder.path(), "hopper.creature.json", ending); };
+    CHECK(named() == "hopper.creature.json");
+    std::ofstream(folder.path() / "hopper.creature.json") << "{}";
+    CHECK(named() == "hopper-2.creature.json");
+    std::ofstream(folder.path() / "hopper-2.creature.json") << "{}";
+    CHECK(named() == "hopper-3.creature.json");
+}
+
 }  // namespace
 }  // namespace cambrian

@@ -7,6 +7,9 @@
 #include "studio/panels/viewport/transport_bar.h"
 #include "studio/panels/viewport/viewport_panel.h"
 #include "support/null_imgui.h"
+#include "support/temporary_directory.h"
+
+#include <fstream>
 
 namespace cambrian {
 namespace {
@@ -247,6 +250,45 @@ TEST_CASE("a creature can be saved as a card and back, by a button or by its nam
     studio.files().opened = 2;
     studio.files().suggested_name = "posted.png";
     CHECK(saved_as() == "/creatures/posted.png");
+}
+
+TEST_CASE("a file is replaced only when Save is pressed again", "[studio][file_panel]") {
+    NullImGui gui;
+    FilePanel panel;
+    test::StudioFixture studio;
+    const TemporaryDirectory folder;
+    const auto taken = folder.path() / "hopper.toml";
+    std::ofstream(taken) << "";
+    studio.files().open = true;
+    studio.files().opened = 1;
+    studio.files().task = FileTask::kSaveSettings;
+    studio.files().suggested_name = "hopper.toml";
+    studio.files().listing.folder = folder.path();
+    CHECK(click(gui, panel, studio, "Save").all().empty());
+    gui.frame([&] {
+        Requests out;
+        panel.draw(studio.frame(), out);
+    });
+    CHECK(gui.has("replace warning"));
+    const Requests again = click(gui, panel, studio, "Save");
+    CHECK(test::asked<SaveSettingsFile>(again).path == taken);
+    CHECK(test::was_asked<CloseFilePanel>(again));
+}
+
+TEST_CASE("an experiment is saved in its own file at once", "[studio][file_panel]") {
+    NullImGui gui;
+    FilePanel panel;
+    test::StudioFixture studio;
+    const TemporaryDirectory folder;
+    const auto own = folder.path() / "run.cambrian";
+    std::ofstream(own) << "";
+    studio.files().open = true;
+    studio.files().opened = 1;
+    studio.files().task = FileTask::kSaveExperiment;
+    studio.files().suggested_name = "run.cambrian";
+    studio.files().own_file = own;
+    studio.files().listing.folder = folder.path();
+    CHECK(test::asked<SaveExperimentFile>(click(gui, panel, studio, "Save")).path == own);
 }
 
 TEST_CASE("a preserve begins with the edges that were chosen", "[studio][preserve]") {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstring>
 #include <string>
+#include <system_error>
 
 namespace cambrian {
 namespace {
@@ -46,6 +47,14 @@ std::string with_ending(std::string name, std::string_view ending) {
     return name.append(ending);
 }
 
+// Returns whether saving would replace another file. A preserve never replaces one.
+bool would_replace(const FileBrowser& files, const std::filesystem::path& path) {
+    if (files.task == FileTask::kOpen || files.task == FileTask::kSavePreserve) return false;
+    std::error_code unknown;
+    return std::filesystem::exists(path, unknown) &&
+           !std::filesystem::equivalent(path, files.own_file, unknown);
+}
+
 // A line with an icon that can be clicked.
 bool entry_line(const std::string& name, Icon icon, bool chosen) {
     const ImVec2 size = {ImGui::GetContentRegionAvail().x, px(30)};
@@ -74,6 +83,7 @@ void FilePanel::draw(const FrameContext& frame, Requests& out) {
     if (opening_ != files.opened) {
         opening_ = files.opened;
         write_name(files.suggested_name);
+        warned_.clear();
         focus_wanted_ = true;
     }
     {
@@ -139,8 +149,19 @@ void FilePanel::write_name(const std::string& name) {
     name.copy(name_.data(), name_.size() - 1);
 }
 
+// Draws the caption of the name, or the warning that a file would be replaced.
+void FilePanel::draw_caption(const std::filesystem::path& path) const {
+    if (warned_.empty() || path != warned_) return caption("File name, or a path");
+    constexpr const char* words = " exists. Press Save again to replace it.";
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(words).x;
+    const WithTextColor danger(colors().danger);
+    const WithFont font(ui().fonts.small);
+    ImGui::TextUnformatted((fit_text(path.filename().string(), room) + words).c_str());
+    note_place("replace warning");
+}
+
 void FilePanel::draw_name(const FrameContext& frame, Requests& out) {
-    caption("File name, or a path");
+    draw_caption(named_path(frame.files.browser));
     if (focus_wanted_) ImGui::SetKeyboardFocusHere();
     focus_wanted_ = false;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
@@ -159,20 +180,33 @@ void FilePanel::draw_name(const FrameContext& frame, Requests& out) {
     if ((entered || pressed) && named) confirm(frame, out);
 }
 
-void FilePanel::confirm(const FrameContext& frame, Requests& out) const {
-    std::filesystem::path path = frame.files.browser.listing.folder / name_.data();
-    const FileTask task = frame.files.browser.task;
-    const std::string ending = ending_of(task);
-    const bool complete = path.string().ends_with(ending) ||
-                          (task == FileTask::kSaveCreature && is_creature_name(path.string()));
-    if (task != FileTask::kOpen && !complete) path += ending;
+std::filesystem::path FilePanel::named_path(const FileBrowser& files) const {
+    std::filesystem::path path = files.listing.folder / name_.data();
+    const std::string ending = ending_of(files.task);
+    const bool complete =
+        path.string().ends_with(ending) ||
+        (files.task == FileTask::kSaveCreature && is_creature_name(path.string()));
+    if (files.task != FileTask::kOpen && !complete) path += ending;
+    return path;
+}
+
+// Asks to save or open. A file that would be replaced needs a second Save.
+void FilePanel::confirm(const FrameContext& frame, Requests& out) {
+    const FileBrowser& files = frame.files.browser;
+    const std::filesystem::path path = named_path(files);
+    if (path != warned_ && would_replace(files, path)) {
+        warned_ = path;
+        focus_wanted_ = true;
+        return;
+    }
+    const FileTask task = files.task;
     if (task == FileTask::kOpen) out.ask(LoadFile{path});
     if (task == FileTask::kSaveCreature) out.ask(SaveCreatureFile{path});
     if (task == FileTask::kSaveExperiment) out.ask(SaveExperimentFile{path});
     if (task == FileTask::kSavePreserve) out.ask(SavePreserveFile{path});
     if (task == FileTask::kSaveSettings) out.ask(SaveSettingsFile{path});
     if (task == FileTask::kSaveStatistics) out.ask(SaveStatisticsFile{path});
-    if (task == FileTask::kSavePlot) out.ask(SavePlotPicture{path, frame.files.browser.picture});
+    if (task == FileTask::kSavePlot) out.ask(SavePlotPicture{path, files.picture});
     out.ask(CloseFilePanel{});
 }
 

@@ -3,6 +3,7 @@
 #include "studio/frame/panel.h"
 
 #include <array>
+#include <filesystem>
 #include <string>
 
 namespace cambrian {
@@ -19,10 +20,13 @@ private:
     void draw_format();
     void draw_name(const FrameContext& frame, Requests& out);
     void write_name(const std::string& name);
-    void confirm(const FrameContext& frame, Requests& out) const;
+    void draw_caption(const std::filesystem::path& path) const;
+    std::filesystem::path named_path(const FileBrowser& files) const;
+    void confirm(const FrameContext& frame, Requests& out);
 
     unsigned opening_ = 0;  // the value of FileBrowser::opened when the fields were reset last
     std::array<char, 1024> name_{};  // typed file name
+    std::filesystem::path warned_;   // existing file that the next Save replaces
     bool focus_wanted_ = false;
 };
 
