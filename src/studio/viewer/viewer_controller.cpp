@@ -96,6 +96,7 @@ void ViewerController::show(Exhibit exhibit) {
     if (Status status = viewer_.show(std::move(exhibit)); !status)
         return services_.feedback.report(status);
     genes_.clear();
+    clear_highlight();
     shown_since_ = services_.feedback.now();
     services_.feedback.log().write("shown", {{"title", title}, {"uid", uid}});
 }
@@ -130,6 +131,7 @@ bool ViewerController::animating() const {
 
 void ViewerController::show_edited() {
     services_.feedback.report(viewer_.show(genes_.exhibit()));
+    clear_highlight();
     shown_since_ = services_.feedback.now();
 }
 

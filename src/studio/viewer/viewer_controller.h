@@ -17,7 +17,8 @@ public:
 
     // Must be called once a frame unless the viewport is hidden; plays on by `elapsed` seconds.
     void update(double elapsed, const EvolutionSnapshot& snapshot);
-    // Must be called before a frame's requests, since a highlight lasts one frame.
+    // Must be called before a frame's requests, since a highlight lasts one frame. It is also of
+    // one creature only.
     void clear_highlight() { facts_.highlight = {}; }
     void carry_out(const ViewerRequest& request);
     ViewerView facts() const;

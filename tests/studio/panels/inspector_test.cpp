@@ -92,6 +92,18 @@ TEST_CASE("a chosen gene keeps its parts highlighted until it is chosen again",
     CHECK_FALSE(test::was_asked<ShowHighlight>(out));
 }
 
+TEST_CASE("the genotype ignores a highlighted part that the creature lacks",
+          "[studio][inspector]") {
+    TabRun<GenotypeTab> run;
+    Requests out;
+    run.gui.frame([&] {
+        FrameContext frame = run.studio.frame();
+        frame.viewer.highlight.part = 100'000;
+        run.tab.draw(frame, out);
+    });
+    CHECK(run.gui.has("gene 0"));
+}
+
 TEST_CASE("a gene's switch asks for the genome with that gene changed", "[studio][inspector]") {
     TabRun<GenotypeTab> run;
     const Requests out = run.click("part 0 symmetric");

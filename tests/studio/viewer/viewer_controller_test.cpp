@@ -98,5 +98,21 @@ TEST_CASE("a forced neuron marks the run as disturbed", "[studio][viewer]") {
     CHECK_FALSE(is_disturbed(run.studio.frame_context().viewer.playback.creature()));
 }
 
+TEST_CASE("a highlight ends with the creature it belongs to", "[studio][viewer]") {
+    StudioRun run;
+    run.studio.show_random_creature();
+    const auto other =
+        std::make_shared<const Exhibit>(run.studio.frame_context().viewer.playback.exhibit());
+    Requests requests;
+    requests.ask(ShowHighlight{{.part = 5}});
+    requests.ask(ShowExhibit{other});
+    run.studio.carry_out(requests);
+    CHECK(run.studio.frame_context().viewer.highlight == Highlight{});
+    requests.ask(ShowHighlight{{.part = 5}});
+    requests.ask(lengthen_root(run.studio.frame_context(), 1.5));
+    run.studio.carry_out(requests);
+    CHECK(run.studio.frame_context().viewer.highlight == Highlight{});
+}
+
 }  // namespace
 }  // namespace cambrian

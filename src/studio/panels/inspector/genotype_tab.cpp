@@ -65,6 +65,14 @@ bool same_graph(const Genome& a, const Genome& b) {
     return std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), same_targets);
 }
 
+// Returns whether a gene or a part that grew from it is highlighted. The highlighted part may be
+// one of a larger creature that was on display before.
+bool lights(const Highlight& highlight, std::size_t gene, const std::vector<BodyPart>& parts) {
+    if (highlight.node == static_cast<int>(gene)) return true;
+    const auto part = static_cast<std::size_t>(std::max(0, highlight.part));
+    return highlight.part >= 0 && part < parts.size() && parts[part].node == gene;
+}
+
 }  // namespace
 
 std::vector<std::size_t> steps_from_root(const Genome& genome) {
@@ -177,9 +185,7 @@ void GenotypeTab::draw_nodes(const FrameContext& frame, Requests& out) {
         part.node = static_cast<std::uint8_t>(i);
         const bool grown = std::any_of(parts.begin(), parts.end(),
                                        [i](const BodyPart& each) { return each.node == i; });
-        const int lit_part = frame.viewer.highlight.part;
-        const bool lit = frame.viewer.highlight.node == static_cast<int>(i) ||
-                         (lit_part >= 0 && parts[static_cast<std::size_t>(lit_part)].node == i);
+        const bool lit = lights(frame.viewer.highlight, i, parts);
         const Color fill = part_color(part, genome_->hue);
         list.AddRectFilled(low, high, paint(with_alpha(fill, grown ? 1.0F : 0.25F)), px(6));
         const bool strong = lit || i == chosen_;
