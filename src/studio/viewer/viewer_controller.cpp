@@ -32,15 +32,22 @@ struct ViewerController::Handler {
     }
     void operator()(const SeekPlayback& request) const { playback().seek(request.tick); }
     void operator()(const FitView&) const { ++self.facts_.fits_asked; }
+    // A part or neuron may be one of the creature that another request has just replaced.
     void operator()(const PokePart& request) const {
+        if (playback().empty()) return;
+        if (request.part >= playback().creature().phenotype().parts.size()) return;
         playback().creature().pull(Hold{request.part, request.point_in_part, request.target});
     }
     void operator()(const ReleasePoke&) const { playback().creature().pull(std::nullopt); }
     void operator()(const ForceNeuron& request) const {
-        if (!playback().empty()) playback().creature().force(request.neuron, request.value);
+        if (has_neuron(request.neuron)) playback().creature().force(request.neuron, request.value);
     }
     void operator()(const ReleaseNeuron& request) const {
-        if (!playback().empty()) playback().creature().force(request.neuron, std::nullopt);
+        if (has_neuron(request.neuron)) playback().creature().force(request.neuron, std::nullopt);
+    }
+    bool has_neuron(std::size_t neuron) const {
+        return !playback().empty() &&
+               neuron < playback().creature().phenotype().network.neurons.size();
     }
     void operator()(const ShowHighlight& request) const {
         self.facts_.highlight.join(request.highlight);

@@ -114,5 +114,17 @@ TEST_CASE("a highlight ends with the creature it belongs to", "[studio][viewer]"
     CHECK(run.studio.frame_context().viewer.highlight == Highlight{});
 }
 
+TEST_CASE("a part or neuron that the displayed creature lacks is left alone", "[studio][viewer]") {
+    StudioRun run;
+    run.ask(PokePart{});  // no creature is displayed, so it has no effect
+    run.studio.show_random_creature();
+    run.ask(PokePart{100'000});
+    run.ask(ForceNeuron{100'000, 1.0});
+    run.ask(ReleaseNeuron{100'000});
+    CHECK(run.studio.frame_context().viewer.playback.creature().hold() == nullptr);
+    CHECK(run.studio.frame_context().viewer.playback.creature().replay().forced().empty());
+    run.studio.update(0.0, 0.1);
+}
+
 }  // namespace
 }  // namespace cambrian

@@ -249,9 +249,9 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
     if (frame.view.overlays.sounds) add_sounds(scene, canvas_.camera, surroundings.sounds());
     add_overlays(frame, look);
     const Hold* hold = playback.creature().hold();
-    if (hold == nullptr) return;
-    const Vec3 from =
-        transform(playback.creature().motion().poses()[hold->part], hold->point_in_part);
+    const auto& poses = playback.creature().motion().poses();
+    if (hold == nullptr || hold->part >= poses.size()) return;
+    const Vec3 from = transform(poses[hold->part], hold->point_in_part);
     scene.add_line(from.head<2>(), hold->target.head<2>(), 2.0 * canvas_.camera.pixel(),
                    palette.danger);
 }
