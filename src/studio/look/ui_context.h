@@ -37,6 +37,12 @@ struct NotedPlace {
     int frame = 0;            // number of the frame in which it was drawn
 };
 
+// A number that is being typed into a slider.
+struct TypedNumber {
+    ImGuiID slider = 0;
+    double value = 0.0;
+};
+
 struct UiContext {
     ThemeKind theme = ThemeKind::kDark;
     Palette palette = palette_of(ThemeKind::kDark);
@@ -47,7 +53,7 @@ struct UiContext {
     // The item under the mouse and the time since when (s), for the delay of tooltips.
     ImVec2 hovered = {-1.0F, -1.0F};
     double hovered_since = 0.0;
-    std::optional<double> typed;  // number typed into a slider so far
+    std::optional<TypedNumber> typed;
 };
 
 UiContext& ui();

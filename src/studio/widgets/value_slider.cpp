@@ -31,18 +31,21 @@ void draw_slider_back(float share, float width) {
     list.PopClipRect();
 }
 
-// A typed number counts only when complete, since typing "0.9" passes through "0".
+// A typed number counts only when complete, since typing "0.9" passes through "0", and only for the
+// slider it was typed into.
 template <class Number>
-bool when_complete(bool edited, Number before, Number& value) {
-    std::optional<double>& typed = ui().typed;
+bool when_complete(ImGuiID slider, bool edited, Number before, Number& value) {
+    std::optional<TypedNumber>& typed = ui().typed;
+    const bool own = typed && typed->slider == slider;
+    if (own && ImGui::IsItemActivated()) typed.reset();
     if (edited && ImGui::IsItemActive() && ImGui::GetIO().WantTextInput) {
-        typed = static_cast<double>(value);
+        typed = TypedNumber{slider, static_cast<double>(value)};
         value = before;
         return false;
     }
-    if (!ImGui::IsItemDeactivated() || !typed) return edited;
+    if (!own || !ImGui::IsItemDeactivated()) return edited;
     const bool given_up = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    value = given_up ? before : static_cast<Number>(*typed);
+    value = given_up ? before : static_cast<Number>(typed->value);
     typed.reset();
     return value != before;
 }
@@ -62,7 +65,7 @@ bool bare_slider(ImGuiDataType type, Number& value, const SliderStyle& style, co
     const bool edited = ImGui::SliderScalar("##value", type, &value, &low, &high, pattern,
                                             style.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
     ImGui::PopStyleColor(static_cast<int>(slots.size()));
-    return when_complete(edited, before, value);
+    return when_complete(ImGui::GetID("##value"), edited, before, value);
 }
 
 }  // namespace

@@ -125,6 +125,22 @@ TEST_CASE("a gene's slider changes its number within its range", "[studio][inspe
     CHECK(test::was_asked<FinishGeneEdit>(out));
 }
 
+TEST_CASE("no new champion replaces the creature from the moment a gene is grasped",
+          "[studio][inspector]") {
+    TabRun<GenotypeTab> run;
+    const auto draw = [&](Requests& out) {
+        run.gui.frame([&] { run.tab.draw(run.studio.frame(), out); });
+    };
+    Requests out;
+    draw(out);
+    run.gui.move_to(run.gui.place("part 0 length").center());
+    draw(out);
+    CHECK_FALSE(test::was_asked<ChangeView>(out));
+    run.gui.press();
+    draw(out);
+    CHECK_FALSE(test::asked<ChangeView>(out).view.newest_champion);
+}
+
 TEST_CASE("a neuron of another function gets as many inputs as it needs", "[studio][inspector]") {
     TabRun<GenotypeTab> run;
     run.click("gene 1");

@@ -100,6 +100,7 @@ public:
         const auto chosen = static_cast<std::size_t>(value);
         bool changed = false;
         if (begin_choice("##value", labels[chosen], width_)) {
+            edit_.begun = true;
             for (std::size_t i = 0; i < labels.size(); ++i) {
                 if (ImGui::Selectable(labels[i].c_str(), i == chosen) && i != chosen) {
                     value = static_cast<Choice>(i);
@@ -189,6 +190,7 @@ private:
         width_ = full - label_width;
     }
     void end_slider(const std::string& place, const std::string& help) {
+        if (ImGui::IsItemActivated()) edit_.begun = true;
         if (ImGui::IsItemDeactivatedAfterEdit()) edit_.finished = true;
         note_place(place);
         tooltip(help);

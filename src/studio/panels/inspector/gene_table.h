@@ -12,6 +12,7 @@ namespace cambrian {
 
 struct GeneEdit {
     std::optional<GeneChange> change;  // the edit of this frame, if any
+    bool begun = false;                // a control became active
     bool finished = false;             // the control was released
 };
 

@@ -73,6 +73,14 @@ bool lights(const Highlight& highlight, std::size_t gene, const std::vector<Body
     return highlight.part >= 0 && part < parts.size() && parts[part].node == gene;
 }
 
+// Keeps the creature on display while its genes are edited.
+void stop_following(const FrameContext& frame, Requests& out) {
+    if (!frame.view.newest_champion) return;
+    ViewState view = frame.view;
+    view.newest_champion = false;
+    out.ask(ChangeView{view});
+}
+
 }  // namespace
 
 std::vector<std::size_t> steps_from_root(const Genome& genome) {
@@ -236,6 +244,7 @@ void GenotypeTab::draw_genes(const FrameContext& frame, Requests& out) const {
         out.ask(
             EditGenes{std::make_shared<const Genome>(std::move(genome)), std::move(*edit.change)});
     }
+    if (edit.begun) stop_following(frame, out);
     if (edit.finished) out.ask(FinishGeneEdit{});
 }
 
