@@ -531,12 +531,11 @@ std::string keys_text() {
 
 void press_shortcut(const KeyPress& press, bool typing, const FrameContext& frame, Requests& out) {
     if (typing && !press.control && press.key != GLFW_KEY_ESCAPE) return;
-    const bool covered =
-        frame.files.browser.open || frame.guide.help_shown || frame.preserve_card.open;
     if (frame.world_shown()) {
-        if (!covered && press_in(kPreserveShortcuts, press, frame, out)) return;
-    } else if (frame.grid_shown() && !covered && press_in_grid(press, frame, out))
+        if (!frame.covered() && press_in(kPreserveShortcuts, press, frame, out)) return;
+    } else if (frame.grid_shown() && !frame.covered() && press_in_grid(press, frame, out)) {
         return;
+    }
     if (frame.window.viewer_only && press_in(kViewerShortcuts, press, frame, out)) return;
     static_cast<void>(press_in(kShortcuts, press, frame, out));
 }

@@ -92,6 +92,26 @@ TEST_CASE("Escape leads from one creature back to the grid", "[studio][shortcuts
     CHECK(test::was_asked<ShowGrid>(out));
 }
 
+TEST_CASE("keys for a card do not reach the grid behind it", "[studio][shortcuts][picking]") {
+    test::StudioFixture studio;
+    studio.show_grid(9);
+    SampleLibrary samples;
+    samples.open = true;
+    FrameContext frame = studio.frame();
+    frame.files.samples = &samples;
+    const auto requests_of = [&](int key) {
+        Requests out;
+        press_shortcut({key}, false, frame, out);
+        return out;
+    };
+    CHECK(requests_of(GLFW_KEY_RIGHT).all().empty());
+    CHECK(requests_of(GLFW_KEY_ENTER).all().empty());
+    samples.open = false;
+    CHECK(test::was_asked<FocusCell>(requests_of(GLFW_KEY_RIGHT)));
+    frame.guide.tour_step = 0;
+    CHECK(requests_of(GLFW_KEY_RIGHT).all().empty());
+}
+
 ResidentPicture resident(std::uint64_t number, std::uint64_t lineage, std::uint64_t parent = 0) {
     ResidentPicture picture;
     picture.life.number = number;

@@ -101,7 +101,7 @@ bool comparison_open(const FrameContext& frame) {
     return frame.comparison != nullptr && frame.comparison->card_open;
 }
 bool touring(const FrameContext& frame) {
-    return frame.guide.tour_step >= 0 && frame.preserve == nullptr;
+    return frame.tour_shown();
 }
 bool notice_told(const FrameContext& frame) {
     return frame.window.notice != nullptr;

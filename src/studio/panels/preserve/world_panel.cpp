@@ -160,7 +160,7 @@ void WorldPanel::handle_left_button(const FrameContext& frame, Requests& out) {
 }
 
 void WorldPanel::handle_keys(const FrameContext& frame, Requests& out) {
-    if (frame.files.browser.open || frame.guide.help_shown || frame.preserve_card.open) return;
+    if (frame.covered()) return;
     const float step = px(kPanStep);
     if (panel_key(ImGuiKey_LeftArrow)) pan({step, 0.0F}, frame, out);
     if (panel_key(ImGuiKey_RightArrow)) pan({-step, 0.0F}, frame, out);
