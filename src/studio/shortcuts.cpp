@@ -83,10 +83,11 @@ void focus_place(const FrameContext& frame, Requests& out) {
     out.ask(FocusPlace{Where});
 }
 
-void close_what_is_open(const FrameContext& frame, Requests& out) {
-    if (frame.guide.tour_step >= 0) {
+// Closes the topmost card; returns false if none is open.
+bool close_card(const FrameContext& frame, Requests& out) {
+    if (frame.tour_shown()) {
         out.ask(TurnTour{-1});
-    } else if (frame.files.samples != nullptr && frame.files.samples->open) {
+    } else if (frame.samples_shown()) {
         out.ask(ToggleSamples{});
     } else if (frame.preserve_card.open) {
         out.ask(TogglePreserveCard{});
@@ -98,7 +99,15 @@ void close_what_is_open(const FrameContext& frame, Requests& out) {
         out.ask(ToggleComparison{});
     } else if (frame.guide.help_shown) {
         out.ask(ToggleHelp{});
-    } else if (frame.preserve != nullptr && frame.window.notice == nullptr) {
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void close_what_is_open(const FrameContext& frame, Requests& out) {
+    if (close_card(frame, out)) return;
+    if (frame.preserve != nullptr && frame.window.notice == nullptr) {
         if (frame.preserve->single) return out.ask(ShowWorld{});
         if (frame.preserve->wall.on) return out.ask(ToggleWalls{});
         out.ask(PickResident{0});
@@ -530,7 +539,11 @@ std::string keys_text() {
 }
 
 void press_shortcut(const KeyPress& press, bool typing, const FrameContext& frame, Requests& out) {
-    if (typing && !press.control && press.key != GLFW_KEY_ESCAPE) return;
+    if (typing && press.key == GLFW_KEY_ESCAPE) {
+        static_cast<void>(close_card(frame, out));
+        return;
+    }
+    if (typing && (!press.control || press.key == GLFW_KEY_Z)) return;
     if (frame.world_shown()) {
         if (!frame.covered() && press_in(kPreserveShortcuts, press, frame, out)) return;
     } else if (frame.grid_shown() && !frame.covered() && press_in_grid(press, frame, out)) {

@@ -27,7 +27,8 @@ std::span<const Shortcut> preserve_shortcuts();
 // Returns all tables as a help page in Markdown.
 std::string keys_text();
 
-// Makes the request of a key, if it has one. While the user types text, only keys with Ctrl count.
+// Makes the request of a key, if it has one. While the user types text, only keys with Ctrl count,
+// except Ctrl+Z; and Esc closes the open card.
 void press_shortcut(const KeyPress& press, bool typing, const FrameContext& frame, Requests& out);
 
 }  // namespace cambrian

@@ -25,6 +25,18 @@ TEST_CASE("Space evolves, but not while text is typed", "[studio][shortcuts]") {
     CHECK(test::was_asked<ToggleEvolution>(out));
 }
 
+TEST_CASE("while text is typed, Ctrl+Z and Esc are for the text", "[studio][shortcuts]") {
+    test::StudioFixture studio;
+    Requests out;
+    press_shortcut({GLFW_KEY_Z, true}, true, studio.frame(), out);
+    press_shortcut({GLFW_KEY_Z, true, true}, true, studio.frame(), out);
+    press_shortcut({GLFW_KEY_ESCAPE}, true, studio.frame(), out);
+    CHECK(out.all().empty());
+    studio.files().open = true;
+    press_shortcut({GLFW_KEY_ESCAPE}, true, studio.frame(), out);
+    CHECK(test::was_asked<CloseFilePanel>(out));
+}
+
 TEST_CASE("Shift distinguishes redo from undo", "[studio][shortcuts]") {
     const test::StudioFixture studio;
     Requests out;

@@ -89,7 +89,7 @@ bool help_open(const FrameContext& frame) {
     return frame.guide.help_shown;
 }
 bool samples_open(const FrameContext& frame) {
-    return frame.files.samples != nullptr && frame.files.samples->open;
+    return frame.samples_shown();
 }
 bool machines_told(const FrameContext& frame) {
     return frame.machines_told() && frame.preserve == nullptr;
