@@ -100,15 +100,23 @@ void ExperimentController::keep_in(const std::filesystem::path& file) {
     previous_run_ = std::filesystem::exists(cambrian::previous_run(file), unknown);
 }
 
+void ExperimentController::poll() {
+    experiment_.poll();
+    if (experiment_.snapshot().status != EngineStatus::kPaused) resuming_ = false;
+}
+
+// One mode may be left and another one entered between two snapshots.
 void ExperimentController::suspend() {
-    evolved_before_ = experiment_.running();
+    evolved_before_ = experiment_.running() || resuming_;
+    resuming_ = false;
     experiment_.send(PauseEvolution{});
     suspended_ = true;
 }
 
 void ExperimentController::release(bool resume) {
     suspended_ = false;
-    if (resume && evolved_before_) experiment_.send(ResumeEvolution{});
+    resuming_ = resume && evolved_before_;
+    if (resuming_) experiment_.send(ResumeEvolution{});
 }
 
 void ExperimentController::show_random_creature() {

@@ -18,7 +18,7 @@ public:
 
     // Must be called once a frame, in this order: poll() reads the engine's latest snapshot,
     // follow_status() reports whether evolution runs or failed.
-    void poll() { experiment_.poll(); }
+    void poll();
     void follow_status();
     void carry_out(const ExperimentRequest& request);
     ExperimentView facts() const;
@@ -50,6 +50,7 @@ private:
     std::uint32_t seen_generation_ = 0;
     bool suspended_ = false;
     bool evolved_before_ = false;  // whether evolution ran when it was suspended
+    bool resuming_ = false;        // was told to go on, which the snapshot does not show yet
     bool previous_run_ = false;
     unsigned find_asked_ = 0;
 };

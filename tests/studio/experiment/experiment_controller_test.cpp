@@ -106,5 +106,22 @@ TEST_CASE("undo also reverts an edit in the engine", "[studio][experiment]") {
     }));
 }
 
+TEST_CASE("evolution that ran goes on after one mode was left for another and back",
+          "[studio][experiment]") {
+    StudioRun run;
+    const auto status = [&] { return run.studio.frame_context().experiment.snapshot.status; };
+    run.ask(ToggleEvolution{});
+    REQUIRE(run.frames_until([&] { return status() == EngineStatus::kRunning; }));
+    run.ask(ToggleHandPicking{});
+    REQUIRE(run.frames_until([&] { return status() == EngineStatus::kPaused; }));
+    // Leaves the mode and enters it again within one frame, as when a preserve is opened.
+    run.ask(ToggleHandPicking{});
+    run.ask(ToggleHandPicking{});
+    for (int frames = 0; frames < 50; ++frames)
+        run.studio.update(0.0, 0.001);
+    run.ask(ToggleHandPicking{});
+    CHECK(run.frames_until([&] { return status() == EngineStatus::kRunning; }));
+}
+
 }  // namespace
 }  // namespace cambrian
