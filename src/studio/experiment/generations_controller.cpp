@@ -21,7 +21,8 @@ struct GenerationsController::Handler {
         const Playback& playback = self.viewer_.playback();
         const bool shown = !playback.empty() &&
                            playback.exhibit().source == ExhibitSource::kChampion &&
-                           playback.exhibit().creature.generation == request.generation;
+                           playback.exhibit().creature.generation == request.generation &&
+                           playback.exhibit().genome() == champion->individual->genome;
         if (!shown) self.show_champion(*champion);
     }
     void operator()(const ShowIndividual& request) const {

@@ -43,6 +43,20 @@ TEST_CASE("scrubbing shows past champions until the newest is requested", "[stud
     CHECK(run.studio.view().newest_champion);
 }
 
+TEST_CASE("a champion whose genes were edited can be displayed as it was bred",
+          "[studio][generations]") {
+    StudioRun run;
+    finish_generations(run, 2);
+    run.ask(ShowChampion{0});
+    const GenomePtr bred = shown_in(run).genome();
+    Genome genome = *bred;
+    genome.nodes[0].length = 1.5;
+    run.ask(EditGenes{std::make_shared<const Genome>(genome), {"part 0 length", "old", "new"}});
+    REQUIRE(shown_in(run).genome() != bred);
+    run.ask(ShowChampion{0});
+    CHECK(shown_in(run).genome() == bred);
+}
+
 TEST_CASE("after fast scrubbing the creature displayed last gets its score",
           "[studio][generations]") {
     StudioRun run;

@@ -53,6 +53,24 @@ TEST_CASE("a drag over the timeline scrubs through the champions", "[studio][tim
     CHECK(drag_to(0.5F).all().empty());
 }
 
+TEST_CASE("a click on the generation of an edited champion shows the champion again",
+          "[studio][timeline]") {
+    NullImGui gui;
+    TimelinePanel panel;
+    test::StudioFixture studio;
+    finish_generations(studio, 21);
+    show_champion(studio, 10);
+    CHECK_FALSE(test::was_asked<ShowChampion>(click(gui, panel, studio, "timeline")));
+    Exhibit edited = studio.playback().exhibit();
+    Genome genome = *edited.genome();
+    genome.nodes[0].length = 0.6;
+    Individual individual = edited.individual();
+    individual.genome = std::make_shared<const Genome>(genome);
+    edited.creature.individual = std::make_shared<const Individual>(individual);
+    REQUIRE(studio.playback().show(edited));
+    CHECK(test::asked<ShowChampion>(click(gui, panel, studio, "timeline")).generation == 10);
+}
+
 TEST_CASE("the arrow keys step through the champions and past the last to the newest",
           "[studio][timeline]") {
     NullImGui gui;

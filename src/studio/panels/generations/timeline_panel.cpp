@@ -180,6 +180,16 @@ int shown_row(const FrameContext& frame) {
     return known ? static_cast<int>(found - history.begin()) : -1;
 }
 
+// Returns whether the row's champion is displayed as it was bred, with no gene edited.
+bool shows_champion(const FrameContext& frame, std::size_t row) {
+    if (shown_row(frame) != static_cast<int>(row)) return false;
+    const GenomePtr& genome = frame.viewer.playback.exhibit().genome();
+    const auto& champions = frame.experiment.snapshot.champions;
+    return std::any_of(champions.begin(), champions.end(), [&](const JudgedIndividual& each) {
+        return each.individual->genome == genome;
+    });
+}
+
 void draw_line(const PlotScale& scale, double generation, const Color& color) {
     const float x = std::floor(scale.x_at(generation)) + 0.5F;
     const Rect& area = scale.area;
@@ -243,8 +253,7 @@ void TimelinePanel::follow_mouse(const PlotScale& scale, const FrameContext& fra
         const std::uint32_t generation = history[static_cast<std::size_t>(shown)].generation;
         draw_cursor(scale, generation, std::to_string(generation));
     }
-    if (held && shown_row(frame) != static_cast<int>(row))
-        out.ask(ShowChampion{history[row].generation});
+    if (held && !shows_champion(frame, row)) out.ask(ShowChampion{history[row].generation});
     if (held || !hovered) return;
     std::string text = reading(history[row], frame.unit_of_goal()) +
                        wall_time_words(frame.experiment.snapshot, row);
