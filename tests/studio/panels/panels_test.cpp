@@ -43,6 +43,43 @@ TEST_CASE("a menu opens and its entry makes a request", "[studio][main_menu]") {
     CHECK(test::was_asked<OpenFilePanel>(click(gui, bar, studio, "Open…")));
 }
 
+TEST_CASE("the menus act on the grid or the world that is displayed", "[studio][main_menu]") {
+    NullImGui gui;
+    EvolveBar bar;
+    test::StudioFixture studio;
+    ExperimentSettings edited = studio.editor().draft();
+    edited.population.size += 1;
+    studio.editor().edit(edited, "population.size");
+    studio.editor().finish();
+    FrameContext frame = studio.frame();
+    const auto choose = [&](const char* menu, const char* item) {
+        Requests out;
+        const auto draw = [&] { bar.draw(frame, out); };
+        gui.click(menu, draw);
+        gui.click(item, draw);
+        return out;
+    };
+    CHECK(test::was_asked<UndoEdit>(choose("Edit", "Undo")));
+    studio.show_grid(9);
+    studio.focus_cell(4);
+    frame.picking = studio.frame().picking;
+    CHECK(test::asked<SaveCell>(choose("File", "Save creature…")).cell == 4);
+
+    const PreservePicture picture = [] {
+        PreservePicture made;
+        made.residents.resize(1);
+        return made;
+    }();
+    const std::filesystem::path file = "pond.cambrian";
+    const Pins pins;
+    const PreserveView view{
+        .picture = picture, .file = file, .picked = &picture.residents[0], .pins = pins};
+    frame.picking = nullptr;
+    frame.preserve = &view;
+    CHECK(test::was_asked<SaveResident>(choose("File", "Save creature…")));
+    CHECK_FALSE(test::was_asked<UndoEdit>(choose("Edit", "Undo")));
+}
+
 TEST_CASE("the transport plays, restarts and changes the speed", "[studio][transport_bar]") {
     NullImGui gui;
     TransportBar bar;

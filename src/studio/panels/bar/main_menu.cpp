@@ -15,15 +15,30 @@ void draw_preserve_items(const FrameContext& frame, Requests& out) {
     const bool open = frame.preserve != nullptr;
     const bool kept = open && !frame.preserve->file.empty();
     if (menu_item("New preserve…", "Ctrl+N")) out.ask(TogglePreserveCard{});
-    if (menu_item("Add creature to preserve…", "Ctrl+O", frame.world_shown()))
+    if (menu_item("Add creature to preserve…", frame.world_shown() ? "Ctrl+O" : nullptr,
+                  frame.world_shown()))
         out.ask(OpenFilePanel{FileTask::kOpen});
-    if (menu_item("Keep preserve in another file…", "Ctrl+K", kept))
+    if (menu_item("Keep preserve in another file…", frame.world_shown() ? "Ctrl+K" : nullptr, kept))
         out.ask(OpenFilePanel{FileTask::kSavePreserve});
     if (menu_item("Close preserve", "Ctrl+W", open)) out.ask(ClosePreserve{});
 }
 
+// Saves what Ctrl+S saves: the picked creature of the world, the one in focus in the grid, or the
+// one on display.
+void draw_save_creature_item(const FrameContext& frame, Requests& out) {
+    constexpr const char* label = "Save creature…";
+    constexpr const char* keys = "Ctrl+S";
+    if (frame.world_shown()) {
+        if (menu_item(label, keys, frame.preserve->picked != nullptr)) out.ask(SaveResident{});
+    } else if (frame.grid_shown()) {
+        const bool any = !frame.picking->snapshot.tree.empty();
+        if (menu_item(label, keys, any)) out.ask(SaveCell{frame.picking->focus});
+    } else if (menu_item(label, keys, !frame.viewer.playback.empty())) {
+        out.ask(OpenFilePanel{FileTask::kSaveCreature});
+    }
+}
+
 void draw_file_menu(const FrameContext& frame, Requests& out) {
-    const bool any = !frame.viewer.playback.empty();
     if (menu_item("Open…", "Ctrl+O")) out.ask(OpenFilePanel{FileTask::kOpen});
     if (menu_item("Samples…", "Ctrl+Shift+O")) out.ask(ToggleSamples{});
     if (menu_item("Open the run before", nullptr, frame.experiment.previous_run))
@@ -31,8 +46,9 @@ void draw_file_menu(const FrameContext& frame, Requests& out) {
     ImGui::Separator();
     draw_preserve_items(frame, out);
     ImGui::Separator();
-    if (menu_item("Save creature…", "Ctrl+S", any)) out.ask(OpenFilePanel{FileTask::kSaveCreature});
-    if (menu_item("Save experiment…", "Ctrl+K")) out.ask(OpenFilePanel{FileTask::kSaveExperiment});
+    draw_save_creature_item(frame, out);
+    if (menu_item("Save experiment…", frame.world_shown() ? nullptr : "Ctrl+K"))
+        out.ask(OpenFilePanel{FileTask::kSaveExperiment});
     if (menu_item("Save settings…", "Ctrl+Shift+S"))
         out.ask(OpenFilePanel{FileTask::kSaveSettings});
     draw_export_items(frame, out);
@@ -45,8 +61,11 @@ void draw_file_menu(const FrameContext& frame, Requests& out) {
 }
 
 void draw_edit_menu(const FrameContext& frame, Requests& out) {
-    if (menu_item("Undo", "Ctrl+Z", frame.can_undo())) out.ask(UndoEdit{});
-    if (menu_item("Redo", "Ctrl+Shift+Z", frame.can_redo())) out.ask(RedoEdit{});
+    // Behind a world the edits are hidden, and Ctrl+Z goes back to a snapshot.
+    const bool seen = !frame.world_shown();
+    if (menu_item("Undo", seen ? "Ctrl+Z" : nullptr, seen && frame.can_undo())) out.ask(UndoEdit{});
+    if (menu_item("Redo", seen ? "Ctrl+Shift+Z" : nullptr, seen && frame.can_redo()))
+        out.ask(RedoEdit{});
     if (menu_item("Find a setting", "Ctrl+F")) out.ask(FindSetting{});
     ImGui::Separator();
     if (menu_item("New run", nullptr)) out.ask(StartNewRun{false});
@@ -64,6 +83,14 @@ void view_item(const char* label, const char* keys, const std::function<bool&(Vi
     if (!menu_item(label, keys, true, on)) return;
     on = !on;
     out.ask(ChangeView{view});
+}
+
+void fit_into_view(const FrameContext& frame, Requests& out) {
+    if (frame.world_shown()) {
+        out.ask(FitWorld{});
+    } else {
+        out.ask(FitView{});
+    }
 }
 
 void draw_view_menu(const FrameContext& frame, Requests& out) {
@@ -86,7 +113,7 @@ void draw_view_menu(const FrameContext& frame, Requests& out) {
     view_item(
         "Show each new champion", nullptr,
         [](ViewState& view) -> bool& { return view.newest_champion; }, frame, out);
-    if (menu_item("Fit into view", "Home")) out.ask(FitView{});
+    if (menu_item("Fit into view", "Home")) fit_into_view(frame, out);
     ImGui::Separator();
     for (const OverlayKind& overlay : overlay_kinds())
         view_item(
