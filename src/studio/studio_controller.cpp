@@ -67,7 +67,7 @@ void StudioController::reopen_last() {
 void StudioController::keep_memory() {
     const OpenExperiment& experiment = std::as_const(experiment_).open();
     memory_.keep({view_, experiment.editor().draft(),
-                  files_.reopening() ? memory_.experiment() : experiment.file().string(),
+                  files_.reopening() ? memory_.experiment() : experiment.files().chosen().string(),
                   machines_.memory()},
                  services_.shared);
 }

@@ -63,6 +63,7 @@ Status KeptExperiment::use_autosave() {
     if (!file) return file.error();
     if (!autosave_.empty()) {
         if (Status named = name_autosave(**file); !named) return named;
+        took_autosave_ = true;
     }
     take(std::move(*file));
     return {};

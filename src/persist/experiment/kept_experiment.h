@@ -5,6 +5,7 @@
 
 #include "persist/experiment/experiment_file.h"
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -27,6 +28,9 @@ public:
     Status begin(const SettingsPtr& settings, const std::vector<GenomePtr>& founders) override;
     Status note(const NotedCommand& command) override;
     Status record(const Evolution& evolution) override;
+    // Whether the run got the autosave file, so that the run before is now in previous_run(). May
+    // be called on any thread; never waits.
+    bool took_autosave() const { return took_autosave_; }
     // The following may be called on any thread.
     Status move_to(const std::filesystem::path& path);
     Status keep_picking(const PickingRecord& picking);
@@ -46,6 +50,7 @@ private:
     std::filesystem::path autosave_;
     const EvolutionKinds& kinds_;
     mutable std::mutex mutex_;
+    std::atomic<bool> took_autosave_ = false;
     std::shared_ptr<ExperimentFile> file_;
     std::optional<Beginning> beginning_;
     std::vector<NotedCommand> notes_;  // commands recorded before there was a file

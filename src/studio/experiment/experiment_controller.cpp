@@ -6,7 +6,6 @@
 
 #include <fmt/core.h>
 
-#include <system_error>
 #include <utility>
 
 namespace cambrian {
@@ -43,8 +42,6 @@ struct ExperimentController::Handler {
         const EvolutionSnapshot& snapshot = self.experiment_.snapshot();
         std::vector<GenomePtr> founders;
         if (request.keep_population) founders = genomes_of(snapshot.population);
-        self.previous_run_ =
-            self.previous_run_ || (!self.own_file_.empty() && !snapshot.history.empty());
         self.services_.feedback.report(self.experiment_.start_new_run(std::move(founders)));
         self.services_.feedback.log().write("new run");
     }
@@ -90,14 +87,7 @@ ExperimentView ExperimentController::facts() const {
             .progress = experiment_.progress(),
             .editor = experiment_.editor(),
             .find_asked = find_asked_,
-            .previous_run = previous_run_};
-}
-
-void ExperimentController::keep_in(const std::filesystem::path& file) {
-    own_file_ = file;
-    experiment_.autosave_in(file);
-    std::error_code unknown;
-    previous_run_ = std::filesystem::exists(cambrian::previous_run(file), unknown);
+            .previous_run = !experiment_.files().before().empty()};
 }
 
 void ExperimentController::poll() {

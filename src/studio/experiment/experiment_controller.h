@@ -24,8 +24,7 @@ public:
     ExperimentView facts() const;
 
     // Saves new runs in this file from now on; the run before is kept in a file beside it.
-    void keep_in(const std::filesystem::path& file);
-    const std::filesystem::path& own_file() const { return own_file_; }
+    void keep_in(const std::filesystem::path& file) { experiment_.autosave_in(file); }
     // Pauses evolution and forbids starting it while the user selects by hand.
     void suspend();
     // Ends the suspension; with `resume`, evolution continues if it was running before.
@@ -45,13 +44,11 @@ private:
     ViewState& view_;
     ViewerController& viewer_;
     OpenExperiment experiment_;
-    std::filesystem::path own_file_;
     EngineStatus seen_status_ = EngineStatus::kPaused;
     std::uint32_t seen_generation_ = 0;
     bool suspended_ = false;
     bool evolved_before_ = false;  // whether evolution ran when it was suspended
     bool resuming_ = false;        // was told to go on, which the snapshot does not show yet
-    bool previous_run_ = false;
     unsigned find_asked_ = 0;
 };
 

@@ -90,9 +90,10 @@ void GenerationsController::follow_newest() {
 void GenerationsController::keep_stars() {
     if (stars_.revision() == kept_stars_) return;
     kept_stars_ = stars_.revision();
-    write_in_background(services_, [stars = stars_.all(), kept = experiment_.open().kept()] {
-        return kept->keep_stars(stars);
-    });
+    write_in_background(services_,
+                        [stars = stars_.all(), kept = experiment_.open().files().kept()] {
+                            return kept->keep_stars(stars);
+                        });
 }
 
 void GenerationsController::replace_stars(std::vector<JudgedIndividual> stars) {

@@ -23,9 +23,9 @@ OpenExperiment::OpenExperiment(ExperimentSettings settings, const EvolutionKinds
     : kinds_(kinds),
       fields_(setting_fields(kinds)),
       editor_(completed(std::move(settings), fields_)),
-      kept_(std::make_shared<KeptExperiment>(std::filesystem::path(), kinds)),
+      files_(kinds),
       engine_(std::make_shared<const ExperimentSettings>(editor_.draft()), kinds,
-              std::move(backend), kept_),
+              std::move(backend), files_.kept()),
       snapshot_(engine_.latest()) {}
 
 void OpenExperiment::poll() {
@@ -99,25 +99,23 @@ Status OpenExperiment::start_new_run(std::vector<GenomePtr> founders) {
     return {};
 }
 
-// Every run gets its own KeptExperiment, so that the writing of the run before can still finish.
 void OpenExperiment::start(std::vector<GenomePtr> founders) {
-    file_.clear();
-    kept_ = std::make_shared<KeptExperiment>(autosave_, kinds_);
+    files_.begin(*snapshot_);
     send(StartExperiment{std::make_shared<const ExperimentSettings>(editor_.draft()),
-                         std::move(founders), kept_});
+                         std::move(founders), files_.kept()});
 }
 
 void OpenExperiment::autosave_in(const std::filesystem::path& file) {
-    autosave_ = file;
+    files_.autosave_in(file);
     start({});
 }
 
 void OpenExperiment::go_on(SavedExperiment saved, std::shared_ptr<ExperimentFile> file,
                            const std::filesystem::path& path) {
-    file_ = path == autosave_ ? std::filesystem::path() : path;
+    files_.open(*snapshot_, std::move(file), path);
     editor_.replace(completed(*setting_changes(saved).back().settings, fields_));
-    kept_ = std::make_shared<KeptExperiment>(std::move(file), kinds_);
-    send(ContinueExperiment{std::make_shared<const SavedExperiment>(std::move(saved)), kept_});
+    send(ContinueExperiment{std::make_shared<const SavedExperiment>(std::move(saved)),
+                            files_.kept()});
 }
 
 Status OpenExperiment::replace(const ExperimentSettings& settings) {

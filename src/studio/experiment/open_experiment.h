@@ -4,7 +4,7 @@
 
 #include "core/stopwatch.h"
 #include "evolution/engine/engine.h"
-#include "persist/experiment/kept_experiment.h"
+#include "persist/experiment/run_files.h"
 #include "studio/experiment/progress_view.h"
 #include "studio/experiment/settings_editor.h"
 
@@ -23,19 +23,15 @@ public:
     OpenExperiment(ExperimentSettings settings, const EvolutionKinds& kinds,
                    std::shared_ptr<EvaluationBackend> backend);
 
-    // Saves new runs in this file from now on (see KeptExperiment). Before this call, runs are
-    // saved in a temporary file.
+    // Saves new runs in this file from now on (see RunFiles). Before this call, runs are saved in a
+    // temporary file.
     void autosave_in(const std::filesystem::path& file);
     // Continues a saved experiment; evolution is paused at first.
     void go_on(SavedExperiment saved, std::shared_ptr<ExperimentFile> file,
                const std::filesystem::path& path);
-    // Must be called when the user saved the experiment under another path; it is kept there from
-    // now on.
-    void moved_to(const std::filesystem::path& path) { file_ = path; }
-    // The file that the user chose; empty if none.
-    const std::filesystem::path& file() const { return file_; }
-    // The place where the present run is saved; may be used on any thread.
-    const std::shared_ptr<KeptExperiment>& kept() const { return kept_; }
+    // Where the present run and the one before are kept.
+    const RunFiles& files() const { return files_; }
+    RunFiles& files() { return files_; }
 
     // Must be called once a frame: sends the waiting commands and measures progress.
     void poll();
@@ -65,9 +61,7 @@ private:
     const EvolutionKinds& kinds_;
     std::vector<SettingField> fields_;
     SettingsEditor editor_;
-    std::filesystem::path autosave_;
-    std::filesystem::path file_;
-    std::shared_ptr<KeptExperiment> kept_;
+    RunFiles files_;
     EvolutionEngine engine_;
     std::deque<EngineCommand> unsent_;  // commands that did not fit into the engine's inbox
     std::shared_ptr<const EvolutionSnapshot> snapshot_;

@@ -52,7 +52,7 @@ struct FilesController::Handler {
         ++browser.opened;
         browser.picture = request.picture;
         browser.own_file = request.task == FileTask::kSaveExperiment
-                               ? self.subjects_.experiment.open().file()
+                               ? self.subjects_.experiment.open().files().chosen()
                                : std::filesystem::path();
         const std::string name = self.suggested_name(request.task);
         browser.suggested_name = browser.own_file.empty() ? free_name(browser.listing.folder, name,
@@ -92,14 +92,12 @@ struct FilesController::Handler {
         self.subjects_.preserve.move_to(request.path);
     }
     void operator()(const SaveExperimentFile& request) const {
-        self.file_service_.save_experiment(request.path, self.subjects_.experiment.open().kept());
+        self.file_service_.save_experiment(request.path,
+                                           self.subjects_.experiment.open().files().kept());
     }
-    // Loads the run before the present one. Until the present run has a generation, that is still
-    // the studio's own file.
     void operator()(const OpenPreviousRun&) const {
-        const std::filesystem::path& own = self.subjects_.experiment.own_file();
-        const bool begun = !self.subjects_.experiment.open().snapshot().history.empty();
-        self.file_service_.load(begun ? previous_run(own) : own);
+        const std::filesystem::path before = self.subjects_.experiment.open().files().before();
+        if (!before.empty()) self.file_service_.load(before);
     }
     void operator()(const SaveSettingsFile& request) const {
         self.file_service_.save_settings(request.path,
@@ -194,7 +192,7 @@ struct FilesController::Receiver {
     void operator()(const FileSaved& event) const {
         log("saved", event.path);
         if (event.path.extension() == ".cambrian")  // an experiment
-            self.subjects_.experiment.open().moved_to(event.path);
+            self.subjects_.experiment.open().files().moved_to(event.path);
         feedback().tell(NoticeKind::kDone, "Saved " + event.path.string());
     }
     void operator()(CardPrepared& event) const { self.orders_.card = std::move(event.card); }
@@ -275,9 +273,9 @@ std::string FilesController::suggested_name(FileTask task) const {
         case FileTask::kSaveCreature:
             return file_stem(subjects_.viewer.playback().exhibit().title) + ".creature.json";
         case FileTask::kSaveExperiment:
-            return experiment.file().empty()
+            return experiment.files().chosen().empty()
                        ? file_stem(experiment.editor().draft().goal) + ".cambrian"
-                       : experiment.file().filename().string();
+                       : experiment.files().chosen().filename().string();
         case FileTask::kSavePreserve:
             return "pond.cambrian";
         case FileTask::kSaveSettings:

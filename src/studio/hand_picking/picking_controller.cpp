@@ -120,7 +120,7 @@ void PickingController::keep() {
     const std::shared_ptr<const PickingSnapshot> picking = picking_.shared_snapshot();
     if (!picking || picking == kept_ || picking->tree.empty()) return;
     kept_ = picking;
-    write_in_background(services_, [picking, kept = experiment_.open().kept()] {
+    write_in_background(services_, [picking, kept = experiment_.open().files().kept()] {
         return kept->keep_picking({picking->tree, picking->picks, picking->shelf});
     });
 }

@@ -123,5 +123,54 @@ TEST_CASE("evolution that ran goes on after one mode was left for another and ba
     CHECK(run.frames_until([&] { return status() == EngineStatus::kRunning; }));
 }
 
+// Returns the number of generations of the run before the open one after it was opened.
+std::size_t opened_run_before(StudioRun& run) {
+    const auto experiment = run.studio.frame_context().experiment.snapshot.experiment;
+    REQUIRE(run.studio.frame_context().experiment.previous_run);
+    run.ask(OpenPreviousRun{});
+    REQUIRE(run.frames_until([&] {
+        return run.studio.frame_context().experiment.snapshot.experiment == experiment + 1;
+    }));
+    return run.champions();
+}
+
+// Begins a new run and waits until it is displayed.
+template <class Begin>
+void begin_run(StudioRun& run, Begin begin) {
+    const auto experiment = run.studio.frame_context().experiment.snapshot.experiment;
+    run.ask(begin);
+    REQUIRE(run.frames_until([&] {
+        return run.studio.frame_context().experiment.snapshot.experiment == experiment + 1;
+    }));
+}
+
+TEST_CASE("the run before is opened from wherever it was kept", "[studio][experiment]") {
+    StudioRun run;
+    run.studio.remember_in(run.folder.path() / "state");
+    REQUIRE(run.frames_until(
+        [&] { return run.studio.frame_context().experiment.snapshot.experiment == 2; }));
+    CHECK_FALSE(run.studio.frame_context().experiment.previous_run);
+    test::finish_generations(run, 3);
+    begin_run(run, StartFromShown{});
+    SECTION("in the studio's own file until the next run has a generation") {
+        CHECK(opened_run_before(run) == 3);
+    }
+    SECTION("beside it afterwards") {
+        test::finish_generations(run, 1);
+        CHECK(opened_run_before(run) == 3);
+        CHECK(opened_run_before(run) == 1);
+    }
+    SECTION("under the name that the user gave it") {
+        test::finish_generations(run, 2);
+        const auto named = run.folder.path() / "named.cambrian";
+        run.ask(SaveExperimentFile{named});
+        REQUIRE(run.frames_until([&] { return std::filesystem::exists(named); }));
+        REQUIRE(run.frames_until([&] { return run.log().find("\"saved\"") != std::string::npos; }));
+        begin_run(run, StartNewRun{});
+        test::finish_generations(run, 1);
+        CHECK(opened_run_before(run) == 2);
+    }
+}
+
 }  // namespace
 }  // namespace cambrian
