@@ -84,12 +84,16 @@ Result<std::shared_ptr<ExperimentFile>> KeptExperiment::nameless_file() const {
     for (const NotedCommand& command : notes_) {
         if (Status noted = (*made)->note(command); !noted) return noted.error();
     }
+    if (!stars_.empty()) {
+        if (Status kept = (*made)->keep_stars(stars_); !kept) return kept.error();
+    }
     return made;
 }
 
 void KeptExperiment::take(std::shared_ptr<ExperimentFile> file) {
     file_ = std::move(file);
     notes_.clear();
+    stars_.clear();
 }
 
 Status KeptExperiment::move_to(const std::filesystem::path& path) {
@@ -114,7 +118,9 @@ Status KeptExperiment::keep_picking(const PickingRecord& picking) {
 
 Status KeptExperiment::keep_stars(const std::vector<JudgedIndividual>& stars) {
     const std::lock_guard guard(mutex_);
-    return file_ ? file_->keep_stars(stars) : Status();
+    if (file_) return file_->keep_stars(stars);
+    stars_ = stars;
+    return {};
 }
 
 }  // namespace cambrian

@@ -53,7 +53,8 @@ private:
     std::atomic<bool> took_autosave_ = false;
     std::shared_ptr<ExperimentFile> file_;
     std::optional<Beginning> beginning_;
-    std::vector<NotedCommand> notes_;  // commands recorded before there was a file
+    std::vector<NotedCommand> notes_;      // commands recorded before there was a file
+    std::vector<JudgedIndividual> stars_;  // given before there was a file
 };
 
 // Returns the path of the previous run, beside the autosave file.

@@ -88,6 +88,8 @@ void GenerationsController::follow_newest() {
 }
 
 void GenerationsController::keep_stars() {
+    const unsigned run = experiment_.open().runs_begun();
+    if (std::exchange(starred_run_, run) != run) replace_stars({});
     if (stars_.revision() == kept_stars_) return;
     kept_stars_ = stars_.revision();
     write_in_background(services_,
@@ -99,6 +101,7 @@ void GenerationsController::keep_stars() {
 void GenerationsController::replace_stars(std::vector<JudgedIndividual> stars) {
     stars_.replace(std::move(stars));
     kept_stars_ = stars_.revision();
+    starred_run_ = experiment_.open().runs_begun();
 }
 
 void GenerationsController::show_champion(const JudgedIndividual& champion) {

@@ -27,7 +27,8 @@ public:
     void log_finished();
     // Displays the newest champion if the user chose to follow it.
     void follow_newest();
-    // Must be called once a frame; saves the stars in the experiment's file if they changed.
+    // Must be called once a frame; saves the stars in the experiment's file if they changed. A new
+    // run has none.
     void keep_stars();
     // Replaces the stars by those of an experiment that was opened.
     void replace_stars(std::vector<JudgedIndividual> stars);
@@ -44,6 +45,7 @@ private:
     ExperimentController& experiment_;
     Stars stars_;
     std::uint64_t kept_stars_ = 0;  // revision of the stars that were saved last
+    unsigned starred_run_ = 0;      // number of runs begun when the stars were given
     std::uint64_t seen_experiment_ = 0;
     std::size_t seen_champions_ = 0;
 };

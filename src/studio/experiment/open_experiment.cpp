@@ -96,6 +96,7 @@ Status OpenExperiment::start_new_run(std::vector<GenomePtr> founders) {
     editor_.finish();
     if (Status fault = check_settings(editor_.draft(), kinds_); !fault) return fault;
     start(std::move(founders));
+    ++runs_begun_;
     return {};
 }
 

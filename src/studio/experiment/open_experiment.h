@@ -32,6 +32,8 @@ public:
     // Where the present run and the one before are kept.
     const RunFiles& files() const { return files_; }
     RunFiles& files() { return files_; }
+    // The number of runs that the user began so far.
+    unsigned runs_begun() const { return runs_begun_; }
 
     // Must be called once a frame: sends the waiting commands and measures progress.
     void poll();
@@ -62,6 +64,7 @@ private:
     std::vector<SettingField> fields_;
     SettingsEditor editor_;
     RunFiles files_;
+    unsigned runs_begun_ = 0;
     EvolutionEngine engine_;
     std::deque<EngineCommand> unsent_;  // commands that did not fit into the engine's inbox
     std::shared_ptr<const EvolutionSnapshot> snapshot_;

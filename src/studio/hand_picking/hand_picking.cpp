@@ -10,7 +10,7 @@
 namespace cambrian {
 
 void HandPicking::enter(const EvolutionSnapshot& evolution, const GenomePtr& on_show) {
-    const bool first = engine_ == nullptr;
+    bool first = engine_ == nullptr;
     if (first) {
         engine_ = std::make_unique<PickingEngine>(
             evolution.settings, kinds_,
@@ -27,6 +27,7 @@ void HandPicking::enter(const EvolutionSnapshot& evolution, const GenomePtr& on_
         send(
             RestoreGrids{std::move(record.tree), std::move(record.picks), std::move(record.shelf)});
         if (!empty) return;
+        first = true;
     }
     const std::pair population = {evolution.experiment, evolution.history.size()};
     if (!evolution.population.empty() && (first || population != left_)) {
@@ -84,8 +85,9 @@ void HandPicking::update(double elapsed, StatusLog& log) {
 void HandPicking::follow_grid(StatusLog& log) {
     if (snapshot_->tree.empty()) return;
     const GridNode& grid = snapshot_->tree.current();
-    const bool another =
-        !seen_ || seen_->tree.empty() || seen_->tree.current().number != grid.number;
+    const bool another = !seen_ || seen_->tree.empty() ||
+                         seen_->tree.current().number != grid.number ||
+                         seen_->tree.current().creatures != grid.creatures;
     const Environment& environment = snapshot_->settings->world.environment;
     if (!another && motion_.environment() == environment) return;
     TrialWorld world = first_trial_world(*grid.settings);

@@ -67,6 +67,8 @@ PickingController::PickingController(const Services& services, ViewState& view,
       picking_(services.kinds, threads) {}
 
 void PickingController::update(double elapsed) {
+    const unsigned run = experiment_.open().runs_begun();
+    if (std::exchange(seen_run_, run) != run && !picking_.on()) restore({});
     picking_.use(experiment_.open().snapshot().settings);
     picking_.update(elapsed * view_.speed, services_.feedback.log());
     facts_.reset();
@@ -96,9 +98,11 @@ bool PickingController::show_cell(std::size_t cell) {
     return true;
 }
 
+// The present grids are those of another experiment and must not be saved in this one.
 void PickingController::restore(PickingRecord record) {
     picking_.restore(std::move(record));
-    kept_.reset();
+    kept_ = picking_.shared_snapshot();
+    seen_run_ = experiment_.open().runs_begun();
 }
 
 void PickingController::enter() {

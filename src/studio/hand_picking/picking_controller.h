@@ -19,7 +19,8 @@ public:
     PickingController(const Services& services, ViewState& view, ViewerController& viewer,
                       ExperimentController& experiment, const ThreadShare& threads);
 
-    // Must be called once a frame: plays the grid on by `elapsed` seconds and saves new picks.
+    // Must be called once a frame: plays the grid on by `elapsed` seconds and saves new picks. A
+    // new run begins without the grids of the run before.
     void update(double elapsed);
     void carry_out(const PickingRequest& request);
     // Applies a playback request to the grid while it is displayed. Returns false if the request is
@@ -50,6 +51,7 @@ private:
     HandPicking picking_;
     std::optional<PickingView> facts_;  // what panels see in this frame
     std::shared_ptr<const PickingSnapshot> kept_;
+    unsigned seen_run_ = 0;  // number of runs begun at the last update
 };
 
 }  // namespace cambrian

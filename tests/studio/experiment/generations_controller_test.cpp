@@ -93,6 +93,18 @@ TEST_CASE("a displayed creature can be starred and displayed again with its own 
     CHECK(run.studio.frame_context().generations.stars.all().size() == 1);
 }
 
+TEST_CASE("a new run begins without the stars of the run before", "[studio][generations]") {
+    StudioRun run;
+    finish_generations(run, 1);
+    run.ask(ShowNewest{});
+    run.ask(ToggleStarOfShown{});
+    REQUIRE(run.studio.frame_context().generations.stars.all().size() == 1);
+    run.ask(StartNewRun{});
+    run.studio.update(0.0, 0.001);
+    CHECK(run.studio.frame_context().generations.stars.all().empty());
+    CHECK_FALSE(run.studio.frame_context().generations.stars.can_restore());
+}
+
 TEST_CASE("the score shown is the one the engine found, and the replay is verified",
           "[studio][generations]") {
     StudioRun run;
