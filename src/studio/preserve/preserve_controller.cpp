@@ -147,13 +147,20 @@ struct PreserveController::Handler : WorldTools {
     }
     void operator()(const BeginPreserve& request) const {
         self.tools_.card_open = false;
+        // It would move the file aside that the attempt before is about to use.
+        if (self.unfinished_ > 0) {
+            return self.services_.feedback.tell(
+                NoticeKind::kProblem, "Another preserve is being opened; try again after that.");
+        }
         if (request.founders) return self.begin(*request.founders, request.wraps);
         self.close();
         self.open_later([file = self.own_file_,
                          &kinds = self.services_.kinds] { return open_world(file, kinds); },
                         false);
     }
+    // A world that is still being opened is dropped when it arrives.
     void operator()(const ClosePreserve&) const {
+        ++self.attempts_;
         if (self.on()) self.leave();
     }
     void operator()(const TogglePlay&) const {
@@ -311,21 +318,26 @@ void PreserveController::leave() {
 }
 
 void PreserveController::open_later(std::function<Result<OpenedWorld>()> make, bool play) {
-    services_.worker.submit([this, make = std::move(make), play](const std::stop_token&) {
-        auto made = std::make_shared<Result<OpenedWorld>>(make());
-        return BackgroundWorker::Completion([this, made, play] {
-            if (*made) {
-                open(std::move(**made));
-                if (play) send(PlayPreserve{true});
-                return;
-            }
-            services_.feedback.tell(NoticeKind::kProblem, made->error().message);
-            if (on() && !open_) leave();
+    ++unfinished_;
+    services_.worker.submit(
+        [this, make = std::move(make), play, number = ++attempts_](const std::stop_token&) {
+            auto made = std::make_shared<Result<OpenedWorld>>(make());
+            return BackgroundWorker::Completion([this, made, play, number] {
+                --unfinished_;
+                if (number != attempts_) return;
+                if (*made) {
+                    open(std::move(**made));
+                    if (play) send(PlayPreserve{true});
+                    return;
+                }
+                services_.feedback.tell(NoticeKind::kProblem, made->error().message);
+                if (on() && !open_) leave();
+            });
         });
-    });
 }
 
 void PreserveController::open(OpenedWorld opened) {
+    ++attempts_;
     if (!on()) {
         if (subjects_.picking.on()) subjects_.picking.carry_out(ToggleHandPicking{});
         subjects_.experiment.suspend();

@@ -86,6 +86,8 @@ private:
     ThreadShare threads_;
     std::filesystem::path assets_;
     std::filesystem::path own_file_;
+    unsigned attempts_ = 0;               // number of the present attempt to open a world
+    unsigned unfinished_ = 0;             // attempts that the background is still at
     std::shared_ptr<OpenPreserve> open_;  // null while another world is being read
     std::shared_ptr<const PreservePicture> picture_;
     WorldPins pins_;

@@ -1,0 +1,65 @@
+#include "studio/preserve/preserve_controller.h"
+
+#include "studio_run.h"
+
+namespace cambrian {
+namespace {
+
+// The studio with a folder for its preserve.
+class PreserveRun : public test::StudioRun {
+public:
+    PreserveRun() {
+        studio.use_assets(std::filesystem::path(CAMBRIAN_SOURCE_DIR) / "assets");
+        studio.remember_in(state());
+    }
+    std::filesystem::path state() const { return folder.path() / "state"; }
+    bool open() const { return studio.frame_context().preserve != nullptr; }
+    // Runs frames until the background has nothing left to do.
+    void settle() {
+        studio.update(0.0, 0.001);
+        REQUIRE(frames_until([&] { return open() || !studio.animating(); }));
+        studio.update(0.0, 0.001);
+    }
+};
+
+constexpr BeginPreserve kRandomPreserve = {.founders = FounderChoice::kRandom};
+
+TEST_CASE("a preserve that is closed while it is being opened does not appear",
+          "[studio][preserve]") {
+    PreserveRun run;
+    run.ask(kRandomPreserve);
+    run.ask(ClosePreserve{});
+    run.settle();
+    CHECK_FALSE(run.open());
+    run.ask(kRandomPreserve);
+    run.settle();
+    CHECK(run.open());
+}
+
+TEST_CASE("picking by hand is not left for a preserve that is still being opened",
+          "[studio][preserve]") {
+    PreserveRun run;
+    run.studio.show_random_creature();
+    run.ask(kRandomPreserve);
+    run.ask(ToggleHandPicking{});
+    REQUIRE(run.frames_until([&] { return run.studio.frame_context().picking != nullptr; }));
+    for (int frame = 0; frame < 500; ++frame) {
+        run.studio.update(0.0, 0.001);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    CHECK_FALSE(run.open());
+    CHECK(run.studio.frame_context().picking != nullptr);
+}
+
+TEST_CASE("beginning twice begins one preserve and moves none aside", "[studio][preserve]") {
+    PreserveRun run;
+    run.ask(kRandomPreserve);
+    run.ask(kRandomPreserve);
+    run.settle();
+    CHECK(run.open());
+    CHECK(std::filesystem::exists(run.state() / "preserve.cambrian"));
+    CHECK_FALSE(std::filesystem::exists(run.state() / "preserve-before.cambrian"));
+}
+
+}  // namespace
+}  // namespace cambrian
