@@ -152,9 +152,10 @@ private:
         return read_pixels(window_.framebuffer_width(), window_.framebuffer_height());
     }
 
+    // A picture that was just taken may still be without a file, so its number is never reused.
     void keep_picture(std::filesystem::path path) {
-        for (int number = 1; path.empty() || std::filesystem::exists(path); ++number)
-            path = fmt::format("cambrian-{}.png", number);
+        while (path.empty() || std::filesystem::exists(path))
+            path = fmt::format("cambrian-{}.png", ++pictures_);
         controller_.files().save_picture(std::filesystem::absolute(path), picture());
     }
 
@@ -201,6 +202,7 @@ private:
     MainWindow main_window_;
     FrameLog frame_log_;
     int quiet_frames_ = 0;
+    int pictures_ = 0;  // number of the last one named by the studio
     bool started_ = false;
     ScreenReport screen_report_;
 };

@@ -5,6 +5,8 @@
 #include <GLFW/glfw3.h>
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace cambrian {
@@ -12,6 +14,18 @@ namespace {
 
 constexpr int kLeastWidth = 960;
 constexpr int kLeastHeight = 600;
+
+// The keys that act again and again while they are held: steps, paces, arrows and the like. Others
+// are mostly switches.
+constexpr std::array kRepeatingKeys = {
+    GLFW_KEY_PERIOD, GLFW_KEY_COMMA, GLFW_KEY_LEFT_BRACKET, GLFW_KEY_RIGHT_BRACKET,
+    GLFW_KEY_LEFT,   GLFW_KEY_RIGHT, GLFW_KEY_UP,           GLFW_KEY_DOWN,
+    GLFW_KEY_TAB};
+
+bool counts(int key, int action) {
+    if (action != GLFW_REPEAT) return action == GLFW_PRESS;
+    return std::find(kRepeatingKeys.begin(), kRepeatingKeys.end(), key) != kRepeatingKeys.end();
+}
 
 std::string last_glfw_error() {
     const char* text = nullptr;
@@ -76,7 +90,7 @@ void Window::install_callbacks() {
     glfwSetWindowUserPointer(window_, this);
     glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int mods) {
         owner_of(window).activity_ = true;
-        if (action == GLFW_RELEASE) return;
+        if (!counts(key, action)) return;
         owner_of(window).keys_.push_back(
             {key, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0});
     });
