@@ -18,10 +18,6 @@ struct ArmColumn {
     std::string (*text)(const ComparedArm& arm, const std::string& unit);
 };
 
-std::string short_number(double value) {
-    return fmt::format("{:.3g}", value);
-}
-
 const std::array kArmColumns = {
     ArmColumn{"Arm", "What differs; the first is the reference", 0,
               [](const ComparedArm& arm, const std::string&) { return arm.name; }},
@@ -38,20 +34,20 @@ const std::array kArmColumns = {
     ArmColumn{"90 % interval", "Where the median lies with 90 % confidence (bootstrap)", 136,
               [](const ComparedArm& arm, const std::string&) {
                   return arm.result
-                             ? fmt::format("{} to {}", short_number(arm.result->interval.low),
-                                           short_number(arm.result->interval.high))
+                             ? fmt::format("{} to {}", pretty_number(arm.result->interval.low),
+                                           pretty_number(arm.result->interval.high))
                              : std::string();
               }},
     ArmColumn{"Ratio", "The median against that of the first arm", 70,
               [](const ComparedArm& arm, const std::string&) {
                   const bool any = arm.result && arm.result->contest && arm.result->contest->ratio;
-                  return any ? short_number(*arm.result->contest->ratio) + "×" : std::string();
+                  return any ? with_unit(*arm.result->contest->ratio, "x") : std::string();
               }},
     ArmColumn{"p", "The probability that chance alone makes the two differ so much (Mann-Whitney)",
-              70,
+              92,
               [](const ComparedArm& arm, const std::string&) {
                   const bool any = arm.result && arm.result->contest;
-                  return any ? short_number(arm.result->contest->p) : std::string();
+                  return any ? pretty_number(arm.result->contest->p) : std::string();
               }},
 };
 

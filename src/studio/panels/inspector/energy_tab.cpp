@@ -4,8 +4,6 @@
 #include "studio/widgets/plot.h"
 #include "studio/widgets/widgets.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 
@@ -137,7 +135,7 @@ void draw_verdict(AuditVerdict verdict) {
 }
 
 std::string share_text(double work, double scale) {
-    return scale > 0.0 ? fmt::format("{:.2g} %", 100.0 * work / scale) : measured(work, "J");
+    return scale > 0.0 ? with_unit(100.0 * work / scale, "%") : measured(work, "J");
 }
 
 void draw_audit(const FrameContext& frame) {

@@ -1,5 +1,6 @@
 #include "studio/panels/preserve/world_plots.h"
 
+#include "core/text/pretty_text.h"
 #include "preserve/world_time.h"
 #include "studio/frame/help_mark.h"
 #include "studio/widgets/plot.h"
@@ -124,9 +125,9 @@ std::vector<double> numbers_of(const std::vector<SeriesRow>& rows, Number number
     return numbers;
 }
 
-// Tells the values at the time under the mouse.
-void tell_values(const PlotScale& scale, const std::vector<SeriesRow>& rows,
-                 std::span<const Curve> curves) {
+// Tells the values at the time under the mouse, in the words of a row.
+template <class Words>
+void tell_values(const PlotScale& scale, const std::vector<SeriesRow>& rows, Words words_of) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (!ImGui::IsWindowHovered() || !scale.area.contains(mouse)) return;
     const double minute = scale.x_from(mouse.x);
@@ -134,13 +135,33 @@ void tell_values(const PlotScale& scale, const std::vector<SeriesRow>& rows,
         return std::fabs(static_cast<double>(a.tick) / 3600.0 - minute) <
                std::fabs(static_cast<double>(b.tick) / 3600.0 - minute);
     });
-    std::string words = world_time(at->tick);
-    for (const Curve& curve : curves)
-        words += fmt::format("\n{}: {:.4g}", curve.label, curve.number(*at));
+    const std::string words = world_time(at->tick) + words_of(*at);
     const float x = std::round(scale.x_at(static_cast<double>(at->tick) / 3600.0));
     ImGui::GetWindowDrawList()->AddLine({x, scale.area.y}, {x, scale.area.y + scale.area.height},
                                         paint(colors().faint));
     ImGui::SetTooltip("%s", words.c_str());
+}
+
+std::string curve_words(const SeriesRow& row, std::span<const Curve> curves) {
+    std::string words;
+    for (const Curve& curve : curves)
+        words += fmt::format("\n{}: {}", curve.label, pretty_number(curve.number(row)));
+    return words;
+}
+
+// Example: "plants: 41.2 % (1 250 J)".
+std::string pool_words(const SeriesRow& row) {
+    double all = 0.0;
+    for (const Curve& pool : energy_pools())
+        all += pool.number(row);
+    std::string words;
+    for (const Curve& pool : energy_pools()) {
+        const double energy = pool.number(row);
+        words += fmt::format("\n{}: {} ({})", pool.label,
+                             with_unit(100.0 * energy / std::max(all, 1e-9), "%"),
+                             with_unit(energy, "J"));
+    }
+    return words;
 }
 
 }  // namespace
@@ -177,7 +198,7 @@ void WorldPlotsPanel::draw(const FrameContext& frame, Requests& out) {
     draw_axes(list, scale);
     for (const Curve& curve : plot.curves)
         draw_curve(list, scale, minutes, numbers_of(rows, curve.number), curve.color, px(1.6F));
-    tell_values(scale, rows, plot.curves);
+    tell_values(scale, rows, [&](const SeriesRow& row) { return curve_words(row, plot.curves); });
 }
 
 void EnergyPlotPanel::draw(const FrameContext& frame, Requests& out) {
@@ -204,7 +225,7 @@ void EnergyPlotPanel::draw(const FrameContext& frame, Requests& out) {
         lower = std::move(upper);
     }
     draw_axes(list, scale);
-    tell_values(scale, rows, energy_pools());
+    tell_values(scale, rows, pool_words);
 }
 
 }  // namespace cambrian
