@@ -143,9 +143,13 @@ void draw_audit(const FrameContext& frame) {
     if (frame.viewer.score == nullptr) return muted_text("The trial is being run again…");
     const SceneAudit& audit = frame.viewer.score->record.audit;
     draw_verdict(judge(frame.viewer.score->record));
-    fact("Muscle work", measured(audit.gross_motor_work, "J"));
-    fact("Lost to drag", measured(-audit.drag_work, "J"));
-    fact("Lost to contacts", measured(-audit.contact_work - audit.impulse_work, "J"));
+    // The net work is the sum of what was lost, stored and not explained.
+    const EnergySample sum = energy_sample(0.0, audit);
+    fact("Net muscle work", measured(sum.muscles, "J"));
+    fact("Gross muscle work", measured(audit.gross_motor_work, "J"));
+    fact("Lost to drag", measured(sum.drag, "J"));
+    fact("Lost to contacts, limits", measured(sum.contacts, "J"));
+    fact("Stored", measured(sum.stored, "J"));
     fact("Unexplained", share_text(audit.energy_residual, audit.energy_scale));
     fact("Gained from contacts", share_text(audit.positive_work, audit.energy_scale));
     fact("Deepest penetration", measured(1e3 * audit.max_penetration, "mm"));
