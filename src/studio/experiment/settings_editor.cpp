@@ -1,5 +1,8 @@
 #include "studio/experiment/settings_editor.h"
 
+#include "core/text/pretty_text.h"
+
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 
@@ -49,6 +52,27 @@ bool same_value(const SettingField& field, ExperimentSettings& a, ExperimentSett
             return *value == **std::get_if<std::remove_cvref_t<decltype(*value)>*>(&at_b);
         },
         field.at(a));
+}
+
+std::string choice_text(const SettingField& field, const std::string& value) {
+    const auto found = std::find(field.choices.begin(), field.choices.end(), value);
+    if (found == field.choices.end()) return value;
+    return field.choice_labels[static_cast<std::size_t>(found - field.choices.begin())];
+}
+
+std::string value_text(const SettingField& field, const SettingRef& ref) {
+    return std::visit(
+        [&field](const auto* value) -> std::string {
+            using T = std::remove_cvref_t<decltype(*value)>;
+            if constexpr (std::is_same_v<T, std::string>) {
+                return choice_text(field, *value);
+            } else if constexpr (std::is_same_v<T, bool>) {
+                return *value ? "on" : "off";
+            } else {
+                return with_unit(static_cast<double>(*value), field.unit);
+            }
+        },
+        ref);
 }
 
 void copy_value(const SettingField& field, ExperimentSettings& from, ExperimentSettings& to) {

@@ -37,6 +37,10 @@ private:
 
 // Returns whether a field has the same value in both settings.
 bool same_value(const SettingField& field, ExperimentSettings& a, ExperimentSettings& b);
+// Returns a value in the words of the controls: "9.81 m/s²", "on", "Tournament".
+std::string value_text(const SettingField& field, const SettingRef& value);
+// Returns the label of a choice.
+std::string choice_text(const SettingField& field, const std::string& value);
 // Copies the value of one field.
 void copy_value(const SettingField& field, ExperimentSettings& from, ExperimentSettings& to);
 

@@ -3,6 +3,8 @@
 #include "support/catch.h"
 #include "support/kinds.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace cambrian {
@@ -90,6 +92,25 @@ TEST_CASE("every field's value can be copied and compared", "[studio][settings_e
         copy_value(field, standard, changed);
         CHECK(same_value(field, changed, standard));
     }
+}
+
+TEST_CASE("values are told in the words of the controls", "[studio][settings_editor]") {
+    ExperimentSettings settings;
+    settings.world.environment.gravity = 1.62;
+    settings.world.environment.has_ground = false;
+    settings.population.size = 1250;
+    settings.selection.method = "map-elites";
+    const auto text_of = [&](const std::string& path) {
+        for (const SettingField& field : setting_fields(test::kinds())) {
+            if (fmt::format("{}.{}", field.table, field.key) == path)
+                return value_text(field, field.at(settings));
+        }
+        return std::string("no such setting");
+    };
+    CHECK(text_of("environment.gravity") == "1.62 m/s²");
+    CHECK(text_of("environment.ground") == "off");
+    CHECK(text_of("population.size").starts_with("1"));
+    CHECK(text_of("selection.method") == "MAP-Elites");
 }
 
 }  // namespace

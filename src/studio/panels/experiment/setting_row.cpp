@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 namespace cambrian {
 namespace {
@@ -17,27 +16,6 @@ namespace {
 constexpr float kLabelShare = 0.5F;
 constexpr float kLeastControl = 112.0F;  // width that names leave to the control in narrow panels
 constexpr float kLabelMargin = 20.0F;    // width around a label: its mark and a gap
-
-std::string choice_text(const SettingField& field, const std::string& value) {
-    const auto found = std::find(field.choices.begin(), field.choices.end(), value);
-    if (found == field.choices.end()) return value;
-    return field.choice_labels[static_cast<std::size_t>(found - field.choices.begin())];
-}
-
-std::string value_text(const SettingField& field, const SettingRef& ref) {
-    return std::visit(
-        [&field](const auto* value) -> std::string {
-            using T = std::remove_cvref_t<decltype(*value)>;
-            if constexpr (std::is_same_v<T, std::string>) {
-                return choice_text(field, *value);
-            } else if constexpr (std::is_same_v<T, bool>) {
-                return *value ? "on" : "off";
-            } else {
-                return with_unit(static_cast<double>(*value), field.unit);
-            }
-        },
-        ref);
-}
 
 std::string help_text(const SettingField& field, ExperimentSettings& defaults) {
     std::string text =

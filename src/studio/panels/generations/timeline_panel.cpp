@@ -96,7 +96,7 @@ void draw_stagnation(const FrameContext& frame, Requests& out) {
     }
 }
 
-// Returns the labels of the settings in which two journal entries differ, one per line.
+// Returns the settings in which two journal entries differ, with both values, one per line.
 std::string difference(const FrameContext& frame, const ExperimentSettings& before,
                        const ExperimentSettings& after) {
     ExperimentSettings a = before;
@@ -104,16 +104,8 @@ std::string difference(const FrameContext& frame, const ExperimentSettings& befo
     std::string text;
     for (const SettingField& field : frame.experiment.fields) {
         if (same_value(field, a, b)) continue;
-        text += '\n';
-        text += field.label;
-        const SettingRef from = field.at(a);
-        const SettingRef to = field.at(b);
-        if (auto* const* number = std::get_if<double*>(&from)) {
-            text += ' ';
-            text += pretty_number(**number);
-            text += " → ";
-            text += with_unit(**std::get_if<double*>(&to), field.unit);
-        }
+        text += fmt::format("\n{} {} → {}", field.label, value_text(field, field.at(a)),
+                            value_text(field, field.at(b)));
     }
     return text;
 }
