@@ -2,6 +2,8 @@
 
 #include "core/text/counted.h"
 #include "core/text/pretty_text.h"
+#include "studio/viewer/mutation_words.h"
+#include "studio/viewer/origin_words.h"
 
 #include <fmt/core.h>
 
@@ -57,14 +59,11 @@ std::string origin_words(const GridNode& node) {
     return "with a creature from the shelf";
 }
 
-std::string change_words(const Individual& creature) {
-    std::string words = capitalized(creature.method);
+std::string change_words(const Individual& creature, const EvolutionKinds& kinds) {
+    std::string words = method_words(creature.method, kinds);
     const std::size_t shown = std::min(creature.mutations.size(), kMostChanges);
-    for (std::size_t i = 0; i < shown; ++i) {
-        const MutationRecord& change = creature.mutations[i];
-        words += fmt::format("\n{}: {} {}{}", capitalized(change.operator_id), change.place,
-                             change.from, change.to.empty() ? "" : " → " + change.to);
-    }
+    for (std::size_t i = 0; i < shown; ++i)
+        words += "\n" + mutation_words(creature.mutations[i], kinds.mutations);
     if (shown < creature.mutations.size())
         words += fmt::format("\nand {} more", creature.mutations.size() - shown);
     return words;

@@ -2,6 +2,7 @@
 
 // The data of selection by hand that panels see.
 
+#include "evolution/kinds/evolution_kinds.h"
 #include "picking/picking_snapshot.h"
 #include "studio/hand_picking/grid_motion.h"
 
@@ -42,6 +43,6 @@ std::string picking_words(const PickingSnapshot& snapshot);
 // Returns how a grid was made: "bred from 3 picks", "chosen from the population".
 std::string origin_words(const GridNode& node);
 // Returns how a creature was bred: the method and its mutations, one per line.
-std::string change_words(const Individual& creature);
+std::string change_words(const Individual& creature, const EvolutionKinds& kinds);
 
 }  // namespace cambrian

@@ -22,12 +22,12 @@ std::string parent_words(std::uint64_t parent, std::span<const IndividualPtr> po
     return fmt::format("rank {}", living - population.begin() + 1);
 }
 
+}  // namespace
+
 std::string method_words(const std::string& method, const EvolutionKinds& kinds) {
     const BreedingKind* kind = kinds.breeding.find(method);
     return kind == nullptr ? capitalized(method) : kind->label;
 }
-
-}  // namespace
 
 std::string origin_words(const Individual& individual, std::span<const IndividualPtr> population,
                          const EvolutionKinds& kinds) {

@@ -2,6 +2,7 @@
 
 #include "studio/hand_picking/picking_map.h"
 #include "support/catch.h"
+#include "support/kinds.h"
 
 namespace cambrian {
 namespace {
@@ -60,9 +61,10 @@ TEST_CASE("the status line describes the state of picking", "[studio][picking]")
 TEST_CASE("a long list of changes is cut short and says so", "[studio][picking]") {
     Individual creature;
     creature.method = "asexual";
-    creature.mutations.assign(8, {"part-scalar", "part 2 length", "0.4", "0.5"});
-    const std::string words = change_words(creature);
-    CHECK(words.starts_with("Asexual\nPart-scalar: part 2 length 0.4 → 0.5\n"));
+    const MutationKind& kind = test::kinds().mutations[0];
+    creature.mutations.assign(8, {kind.id, "part 2 length", "0.4", "0.5"});
+    const std::string words = change_words(creature, test::kinds());
+    CHECK(words.starts_with("Asexual\n" + kind.label + ": part 2 length 0.4 → 0.5\n"));
     CHECK(words.ends_with("\nand 2 more"));
 }
 

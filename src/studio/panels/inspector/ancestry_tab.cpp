@@ -3,6 +3,7 @@
 #include "core/text/counted.h"
 #include "core/text/pretty_text.h"
 #include "studio/viewer/mutation_words.h"
+#include "studio/viewer/origin_words.h"
 #include "studio/widgets/creature_tile.h"
 #include "studio/widgets/widgets.h"
 
@@ -18,15 +19,15 @@ constexpr float kRowGap = 5.0F;
 constexpr float kPictureWidth = 70.0F;
 constexpr int kAncestorsGrown = 6;
 
-std::string breeding_words(const Individual& individual) {
-    std::string words = capitalized(individual.method);
+std::string breeding_words(const Individual& individual, const EvolutionKinds& kinds) {
+    std::string words = method_words(individual.method, kinds);
     if (individual.parents[1] != 0) words += " with another parent";
     return words;
 }
 
 // Returns the place of the first mutation and the number of further ones.
-std::string place_line(const Individual& individual) {
-    if (individual.mutations.empty()) return breeding_words(individual);
+std::string place_line(const Individual& individual, const EvolutionKinds& kinds) {
+    if (individual.mutations.empty()) return breeding_words(individual, kinds);
     const std::string& place = individual.mutations.front().place;
     const std::size_t others = individual.mutations.size() - 1;
     return others == 0 ? place : fmt::format("{}  +{}", place, others);
@@ -58,12 +59,12 @@ std::string length_words(std::size_t steps) {
     return fmt::format("{} to its first ancestor; click one to show it.", counted(steps, "step"));
 }
 
-std::string step_words(const Individual& individual, const MutationRegistry& kinds) {
-    std::string words = breeding_words(individual);
+std::string step_words(const Individual& individual, const EvolutionKinds& kinds) {
+    std::string words = breeding_words(individual, kinds);
     if (individual.evaluated) words += "\nFitness " + pretty_number(individual.result.fitness);
     for (const MutationRecord& mutation : individual.mutations) {
-        words += fmt::format("\n{}, {}: {}", operator_words(mutation, kinds), mutation.place,
-                             change_words(mutation));
+        words += fmt::format("\n{}, {}: {}", operator_words(mutation, kinds.mutations),
+                             mutation.place, change_words(mutation));
     }
     return words;
 }
@@ -91,16 +92,18 @@ void draw_line(const RowLine& line, float left, float right, float y) {
     list.AddText({right - width, y}, paint(line.right_color), line.right.c_str());
 }
 
-void draw_words(const AncestryStep& step, const std::string& born, const std::string& fitness,
+void draw_words(const AncestryStep& step, const std::string& born, const FrameContext& frame,
                 const ImVec2& low, const ImVec2& high) {
     const Individual& individual = *step.individual;
+    const std::string fitness = fitness_words(individual, frame);
     const Palette& p = colors();
     const bool gained = step.gained && *step.gained > 0.0;
     const float left = low.x + px(kPictureWidth + 12);
     const float right = high.x - px(10);
     draw_line({born, p.text, gained_words(step), gained ? p.accent : p.muted}, left, right,
               low.y + px(10));
-    draw_line({place_line(individual), p.muted, {}, p.muted}, left, right, low.y + px(30));
+    draw_line({place_line(individual, frame.kinds), p.muted, {}, p.muted}, left, right,
+              low.y + px(30));
     draw_line({change_line(individual), p.muted, fitness, p.text}, left, right, low.y + px(50));
 }
 
@@ -153,7 +156,7 @@ void AncestryTab::draw_step(std::size_t index, const FrameContext& frame, Reques
                                              *head_, line_, index, frame.experiment.snapshot))});
     }
     if (index < 4) note_place(name);
-    tooltip(step_words(individual, frame.kinds.mutations));
+    tooltip(step_words(individual, frame.kinds));
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -163,7 +166,7 @@ void AncestryTab::draw_step(std::size_t index, const FrameContext& frame, Reques
     if (frame.viewer.playback.exhibit().genome() == individual.genome)
         list.AddRect(low, high, paint(colors().accent), px(5), ImDrawFlags_None, px(2));
     draw_body(index, frame, low);
-    draw_words(step, born_words(individual, *head_), fitness_words(individual, frame), low, high);
+    draw_words(step, born_words(individual, *head_), frame, low, high);
 }
 
 void AncestryTab::draw_body(std::size_t index, const FrameContext& frame, const ImVec2& at) {

@@ -130,7 +130,8 @@ void draw_grown_organs(const FrameContext& frame) {
 void draw_origin(const FrameContext& frame) {
     section("Origin");
     const Individual& individual = frame.viewer.playback.exhibit().individual();
-    if (!individual.method.empty()) fact("Breeding method", capitalized(individual.method));
+    if (!individual.method.empty())
+        fact("Breeding method", method_words(individual.method, frame.kinds));
     if (individual.parents[0] != 0) fact("Parent", uid_text(individual.parents[0]));
     if (individual.parents[1] != 0) fact("Second parent", uid_text(individual.parents[1]));
     if (individual.uid != 0) fact("Identity", uid_text(individual.uid));

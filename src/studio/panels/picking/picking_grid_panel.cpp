@@ -48,14 +48,14 @@ void draw_waiting(const Rect& area, const std::string& text) {
 }
 
 // Lists the creature's mutations in the sky above it, as many full lines as there is room for.
-void draw_changes(const Rect& area, const Individual& creature) {
+void draw_changes(const Rect& area, const Individual& creature, const EvolutionKinds& kinds) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float size = 13.0F * ui().scale;
     const ImVec2 at = {area.x + px(9), area.y + px(25)};
     const float line = ui().fonts.small->CalcTextSizeA(size, 1e6F, 0.0F, "A").y;
     const float room = 0.62F * area.height - px(25);
     const float foot = at.y + line * std::floor(room / line);
-    const std::string words = change_words(creature);
+    const std::string words = change_words(creature, kinds);
     const float width = area.width - px(18);
     const ImVec2 words_size = ui().fonts.small->CalcTextSizeA(size, 1e6F, width, words.c_str());
     list.PushClipRect({area.x, at.y}, {area.x + area.width, foot}, true);
@@ -235,7 +235,7 @@ void PickingGridPanel::draw_words(std::size_t cell, const FrameContext& frame) {
     if (picking.options.scores)
         words(area.x + px(9), foot, colors().text,
               score_words(frame, *grid_of(frame).creatures[cell]));
-    if (picking.focus == cell) draw_changes(area, *grid_of(frame).creatures[cell]);
+    if (picking.focus == cell) draw_changes(area, *grid_of(frame).creatures[cell], frame.kinds);
     const std::string badge = picking.options.hints ? hint(cell) : "";
     words(area.x + area.width - px(9) - width(badge), foot, colors().plot_best, badge);
 }
