@@ -123,9 +123,11 @@ FrameContext StudioController::frame_context() const {
 }
 
 bool StudioController::animating() const {
+    const Notice* notice = services_.feedback.notice();
+    const bool fading = notice != nullptr && notice->kind == NoticeKind::kDone;
     const bool moving = preserve_.world_shown() ? preserve_.animating() : viewer_.animating();
     return moving || picking_.on() || experiment_.open().running() || comparison_.facts().running ||
-           !services_.worker.idle() || services_.feedback.notice() != nullptr;
+           !services_.worker.idle() || fading;
 }
 
 }  // namespace cambrian

@@ -12,8 +12,8 @@
 namespace cambrian {
 namespace {
 
-constexpr int kLeastWidth = 960;
-constexpr int kLeastHeight = 600;
+constexpr float kLeastWidth = 960.0F;  // in units of 1/96 inch
+constexpr float kLeastHeight = 600.0F;
 
 // The keys that act again and again while they are held: steps, paces, arrows and the like. Others
 // are mostly switches.
@@ -76,8 +76,19 @@ Window::Window(GLFWwindow* window) : window_(window) {
     float across = 1.0F;
     glfwGetWindowContentScale(window_, &scale_, &across);
     glfwSwapInterval(1);
-    glfwSetWindowSizeLimits(window_, kLeastWidth, kLeastHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    limit_size();
     install_callbacks();
+}
+
+// GLFW measures windows in pixels on some systems and in larger units on others.
+void Window::limit_size() {
+    int width = 1;
+    glfwGetWindowSize(window_, &width, nullptr);
+    const float pixels =
+        static_cast<float>(framebuffer_width()) / static_cast<float>(std::max(1, width));
+    const float units = scale_ / std::max(1.0F, pixels);
+    glfwSetWindowSizeLimits(window_, static_cast<int>(kLeastWidth * units),
+                            static_cast<int>(kLeastHeight * units), GLFW_DONT_CARE, GLFW_DONT_CARE);
 }
 
 Window::~Window() {

@@ -42,6 +42,7 @@ public:
 
 private:
     explicit Window(GLFWwindow* window);
+    void limit_size();
     void install_callbacks();
 
     GLFWwindow* window_ = nullptr;
