@@ -3,6 +3,7 @@
 #include "comparison/run_table.h"
 #include "core/files/file_io.h"
 #include "core/threads/thread_pool.h"
+#include "persist/creature/creature_card.h"
 #include "persist/creature/creature_file.h"
 
 #include <fmt/core.h>
@@ -35,7 +36,7 @@ std::string file_name(std::string name) {
         const auto code = static_cast<unsigned char>(letter);
         if (code <= ' ' || letter == '/' || code == 0x7F) letter = '-';
     }
-    return name + ".creature.json";
+    return name.append(kCreatureEnding);
 }
 
 // The name that earlier versions gave to all runs of a world and an arm with the same seed.

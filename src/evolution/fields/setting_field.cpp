@@ -427,6 +427,10 @@ Status check_light(const Settings& s) {
 
 }  // namespace setting_table
 
+std::string path_of(const SettingField& field) {
+    return fmt::format("{}.{}", field.table, field.key);
+}
+
 std::vector<SettingField> setting_fields(const EvolutionKinds& kinds) {
     std::vector<SettingField> fields;
     add_run(fields);

@@ -16,6 +16,9 @@ namespace cambrian {
 // kinds must outlive them.
 std::vector<SettingField> setting_fields(const EvolutionKinds& kinds);
 
+// Returns "selection.method".
+std::string path_of(const SettingField& field);
+
 // Returns an error for the first setting that is out of range or contradicts another, as "[table]
 // key: ...".
 Status check_settings(const ExperimentSettings& settings, const EvolutionKinds& kinds);

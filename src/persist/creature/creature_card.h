@@ -15,6 +15,7 @@ namespace cambrian {
 
 inline constexpr std::string_view kCardKeyword = "cambrian-creature";
 inline constexpr std::string_view kCardEnding = ".card.png";
+inline constexpr std::string_view kCreatureEnding = ".creature.json";
 inline constexpr std::size_t kMaxCardBytes = 16'000'000;
 
 // `document` is text made by write_creature().

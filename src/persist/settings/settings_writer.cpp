@@ -71,7 +71,7 @@ std::string digested_settings(const ExperimentSettings& settings, const Evolutio
     for (const SettingField& field : setting_fields(kinds)) {
         const SettingValue value = value_of(field, settings);
         if (field.later && value == value_of(field, ExperimentSettings{})) continue;
-        text += fmt::format("{}.{} = {}\n", field.table, field.key, setting_text(value));
+        text += fmt::format("{} = {}\n", path_of(field), setting_text(value));
     }
     return text;
 }

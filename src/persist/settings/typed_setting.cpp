@@ -12,10 +12,6 @@
 namespace cambrian {
 namespace {
 
-std::string path_of(const SettingField& field) {
-    return fmt::format("{}.{}", field.table, field.key);
-}
-
 // Returns the fields that a name may mean: the one with that table and key or, without a table, all
 // with that key.
 std::vector<SettingField> fields_called(std::string_view name, const EvolutionKinds& kinds) {

@@ -60,10 +60,6 @@ std::vector<SettingValue> values_around(const SettingField& field, const Setting
 
 }  // namespace
 
-std::string path_of(const SettingField& field) {
-    return fmt::format("{}.{}", field.table, field.key);
-}
-
 bool may_vary(const SettingField& field) {
     const bool of_the_world = field.table == "environment" || field.key == "goal";
     const bool of_the_run = field.by_run || field.key == "seed";

@@ -24,8 +24,6 @@ struct ComparisonDraft {
     friend bool operator==(const ComparisonDraft&, const ComparisonDraft&) = default;
 };
 
-// Returns "selection.method".
-std::string path_of(const SettingField& field);
 // Returns whether arms in one world may differ in the setting.
 bool may_vary(const SettingField& field);
 // Returns a few values to begin with, the present one first: "truncation, rank".

@@ -21,7 +21,7 @@ bool suits(std::string_view name, FileTask task) {
 
 }  // namespace
 
-const char* ending_of(FileTask task) {
+std::string_view ending_of(FileTask task) {
     switch (task) {
         case FileTask::kOpen:
         case FileTask::kSaveCreature:
@@ -36,11 +36,11 @@ const char* ending_of(FileTask task) {
         case FileTask::kSavePlot:
             return ".png";
     }
-    return ".creature.json";
+    return kCreatureEnding;
 }
 
 std::string free_name(const std::filesystem::path& folder, const std::string& name,
-                      const std::string& ending) {
+                      std::string_view ending) {
     if (!name.ends_with(ending)) return name;
     const std::string stem = name.substr(0, name.size() - ending.size());
     std::string free = name;

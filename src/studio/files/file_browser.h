@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cambrian {
@@ -42,11 +43,11 @@ struct FileBrowser {
 };
 
 // Returns the file name ending for a task; for kOpen, that of creature files.
-const char* ending_of(FileTask task);
+std::string_view ending_of(FileTask task);
 
 // Returns the name or, if the folder has a file of that name, one with a number: "hopper-2.toml".
 std::string free_name(const std::filesystem::path& folder, const std::string& name,
-                      const std::string& ending);
+                      std::string_view ending);
 
 // Reads a folder. Hidden entries are left out.
 FolderListing list_folder(const std::filesystem::path& folder, FileTask task);

@@ -2,6 +2,7 @@
 
 #include "core/text/counted.h"
 #include "core/text/pretty_text.h"
+#include "persist/creature/creature_card.h"
 #include "studio/experiment/timeline_plots.h"
 #include "studio/files/creature_exhibit.h"
 
@@ -232,7 +233,7 @@ void FilesController::open_now(const std::filesystem::path& path, ExhibitSource 
 }
 
 void FilesController::open_sample(const std::string& name) {
-    const std::filesystem::path sample = samples_folder_ / (name + ".creature.json");
+    const std::filesystem::path sample = samples_folder_ / (name + std::string(kCreatureEnding));
     std::error_code ignored;
     if (std::filesystem::exists(sample, ignored)) open_now(sample, ExhibitSource::kSample);
 }
@@ -271,7 +272,7 @@ std::string FilesController::suggested_name(FileTask task) const {
         case FileTask::kOpen:
             return {};
         case FileTask::kSaveCreature:
-            return file_stem(subjects_.viewer.playback().exhibit().title) + ".creature.json";
+            return file_stem(subjects_.viewer.playback().exhibit().title).append(kCreatureEnding);
         case FileTask::kSaveExperiment:
             return experiment.files().chosen().empty()
                        ? file_stem(experiment.editor().draft().goal) + ".cambrian"

@@ -1,6 +1,7 @@
 #include "studio/files/sample_library.h"
 
 #include "core/text/pretty_text.h"
+#include "persist/creature/creature_card.h"
 #include "persist/creature/creature_file.h"
 
 #include <fmt/core.h>
@@ -11,8 +12,6 @@
 
 namespace cambrian {
 namespace {
-
-constexpr std::string_view kEnding = ".creature.json";
 
 std::string account_of(const CreatureDocument& document, const EvolutionKinds& kinds) {
     if (!document.scored()) return "Not scored yet";
@@ -26,7 +25,7 @@ Sample read_sample(const std::filesystem::path& path, const EvolutionKinds& kind
     const std::string file = path.filename().string();
     Sample sample;
     sample.path = path;
-    sample.title = capitalized(file.substr(0, file.size() - kEnding.size()));
+    sample.title = capitalized(file.substr(0, file.size() - kCreatureEnding.size()));
     std::replace(sample.title.begin(), sample.title.end(), '-', ' ');
     const auto document = load_creature(path, kinds);
     if (!document) {
@@ -50,7 +49,7 @@ std::vector<Sample> read_samples(const std::filesystem::path& folder, const Evol
     std::error_code error;
     auto entry = std::filesystem::directory_iterator(folder, error);
     for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-        if (entry->path().filename().string().ends_with(kEnding))
+        if (entry->path().filename().string().ends_with(kCreatureEnding))
             samples.push_back(read_sample(entry->path(), kinds));
     }
     const auto order = [](const Sample& each) {

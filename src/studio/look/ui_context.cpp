@@ -39,6 +39,10 @@ UiContext& ui() {
     return *context;
 }
 
+bool scrolls_down(const ImGuiWindow* window) {
+    return scrolls(window, ImGuiAxis_Y);
+}
+
 void note_place(const std::string& name) {
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 size = ImGui::GetItemRectSize();
@@ -49,7 +53,7 @@ void note_place(const std::string& name, const Rect& rect) {
     const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
     const Rect seen = seen_part(rect, window->OuterRectClipped);
     const bool narrower = seen.width < rect.width - kSlack && !scrolls(window, ImGuiAxis_X);
-    const bool lower = seen.height < rect.height - kSlack && !scrolls(window, ImGuiAxis_Y);
+    const bool lower = seen.height < rect.height - kSlack && !scrolls_down(window);
     ui().places[name] = {.rect = rect,
                          .seen = seen,
                          .cut = narrower || lower,

@@ -11,6 +11,8 @@
 #include <optional>
 #include <string>
 
+struct ImGuiWindow;
+
 namespace cambrian {
 
 struct Rect {
@@ -71,6 +73,8 @@ inline ImU32 paint(const Color& color) {
 // Records the position of the item just drawn, or of a part of the window being drawn.
 void note_place(const std::string& name);
 void note_place(const std::string& name, const Rect& rect);
+// Returns whether the window, or one that contains it, can be scrolled vertically.
+bool scrolls_down(const ImGuiWindow* window);
 
 // Sets a font or text colour for a scope.
 class WithFont {

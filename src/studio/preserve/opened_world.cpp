@@ -1,5 +1,6 @@
 #include "studio/preserve/opened_world.h"
 
+#include "persist/creature/creature_card.h"
 #include "persist/creature/creature_file.h"
 #include "persist/preserve/preserve_file.h"
 #include "persist/settings/settings_file.h"
@@ -14,8 +15,6 @@
 
 namespace cambrian {
 namespace {
-
-constexpr std::string_view kCreatureEnding = ".creature.json";
 
 // To walk is the goal that settings have unless they name another one.
 bool is_walker(const ExperimentSettings& settings) {

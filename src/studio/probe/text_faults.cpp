@@ -1,5 +1,7 @@
 #include "studio/probe/text_faults.h"
 
+#include "studio/look/ui_context.h"
+
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -83,16 +85,6 @@ std::vector<Line> lines_of(const ImDrawList& list, const Letters& letters) {
         }
     }
     return lines;
-}
-
-// Returns whether this window, or one that contains it, scrolls vertically.
-bool scrolls_down(const ImGuiWindow* window) {
-    for (; window != nullptr; window = window->ParentWindow) {
-        if (window->ScrollMax.y > 0.0F && (window->Flags & ImGuiWindowFlags_NoScrollWithMouse) == 0)
-            return true;
-        if ((window->Flags & ImGuiWindowFlags_ChildWindow) == 0) return false;
-    }
-    return false;
 }
 
 bool is_cut(const Line& line, bool scrolled) {

@@ -3,8 +3,6 @@
 #include "support/catch.h"
 #include "support/kinds.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 namespace cambrian {
@@ -102,8 +100,7 @@ TEST_CASE("values are told in the words of the controls", "[studio][settings_edi
     settings.selection.method = "map-elites";
     const auto text_of = [&](const std::string& path) {
         for (const SettingField& field : setting_fields(test::kinds())) {
-            if (fmt::format("{}.{}", field.table, field.key) == path)
-                return value_text(field, field.at(settings));
+            if (path_of(field) == path) return value_text(field, field.at(settings));
         }
         return std::string("no such setting");
     };

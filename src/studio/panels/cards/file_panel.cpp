@@ -33,13 +33,12 @@ const char* title_of(FileTask task) {
 }
 
 bool is_creature_name(std::string_view name) {
-    return name.ends_with(".creature.json") || is_card_name(name);
+    return name.ends_with(kCreatureEnding) || is_card_name(name);
 }
 
 // Replaces the ending of a creature file or card by another one.
 std::string with_ending(std::string name, std::string_view ending) {
-    for (const std::string_view known :
-         {std::string_view(".creature.json"), kCardEnding, std::string_view(".png")}) {
+    for (const std::string_view known : {kCreatureEnding, kCardEnding, std::string_view(".png")}) {
         if (!name.ends_with(known)) continue;
         name.resize(name.size() - known.size());
         break;
@@ -140,7 +139,7 @@ void FilePanel::draw_format() {
          "picture can drop it on the window."});
     ImGui::Dummy({0, px(2)});
     if (chosen < 0) return;
-    write_name(with_ending(name, chosen == 1 ? kCardEnding : ".creature.json"));
+    write_name(with_ending(name, chosen == 1 ? kCardEnding : kCreatureEnding));
     focus_wanted_ = true;
 }
 
@@ -182,7 +181,7 @@ void FilePanel::draw_name(const FrameContext& frame, Requests& out) {
 
 std::filesystem::path FilePanel::named_path(const FileBrowser& files) const {
     std::filesystem::path path = files.listing.folder / name_.data();
-    const std::string ending = ending_of(files.task);
+    const std::string_view ending = ending_of(files.task);
     const bool complete =
         path.string().ends_with(ending) ||
         (files.task == FileTask::kSaveCreature && is_creature_name(path.string()));

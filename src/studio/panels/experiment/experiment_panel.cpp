@@ -316,7 +316,7 @@ void ExperimentPanel::draw_row(const SettingField& field, const FrameContext& fr
     if (field.table == "goal") adopt_goal(edited, frame);
     if (frame.kinds.breeding.find(field.key) != nullptr)
         balance_shares(frame.experiment.fields, field.key, edited);
-    out.ask(EditSettings{std::move(edited), fmt::format("{}.{}", field.table, field.key)});
+    out.ask(EditSettings{std::move(edited), path_of(field)});
     if (event == RowEvent::kFinished) out.ask(FinishEdit{});
 }
 

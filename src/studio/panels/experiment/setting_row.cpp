@@ -95,7 +95,7 @@ bool choice_box(const SettingField& field, std::string& value, float width) {
                 edited = choice != value;
                 value = choice;
             }
-            note_place(fmt::format("{}.{}={}", field.table, field.key, choice));
+            note_place(fmt::format("{}={}", path_of(field), choice));
         }
         ImGui::EndCombo();
     }
@@ -160,7 +160,7 @@ SliderRange slider_range(const SettingField& field, double standard, double pres
 
 RowEvent setting_row(const SettingField& field, ExperimentSettings& settings,
                      ExperimentSettings& defaults) {
-    const std::string name = fmt::format("{}.{}", field.table, field.key);
+    const std::string name = path_of(field);
     ImGui::PushID(name.c_str());
     const float full = ImGui::GetContentRegionAvail().x;
     const float text = text_width(field, field.at(settings), field.at(defaults));
