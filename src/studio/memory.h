@@ -11,7 +11,7 @@ namespace cambrian {
 
 class Memory {
 public:
-    // Reads the stored state when the program starts.
+    // `kept` is the state that was read when the program started.
     explicit Memory(Remembered kept) : kept_(std::move(kept)) {}
 
     // Stores the state in this folder from now on; an empty path stores nothing.

@@ -23,7 +23,7 @@ struct WindowDrawing {
 };
 
 struct StudioOptions {
-    std::filesystem::path open_file;  // creature or settings file; empty for none
+    std::filesystem::path open_file;  // any file that the studio opens; empty for none
     std::filesystem::path assets;     // folder of help pages and samples
     std::filesystem::path frame_log;  // CSV file of frame times; empty for none
     // File to which events are appended as JSON lines; empty for none.

@@ -85,7 +85,7 @@ std::string trial_text(const EvaluationResult& result, const std::string& unit) 
     std::string text(outcome_name(result.outcome));
     if (!result.reason.empty()) text += fmt::format(" ({})", result.reason);
     text += fmt::format(
-        ": {} {}\n{} parts, {} live neurons, {} m long, {} kg\nmotion {}\naudit: {}; {}",
+        ": {} {}\n{} parts, {} connected neurons, {} m long, {} kg\nmotion {}\naudit: {}; {}",
         short_text(result.fitness), unit, result.parts, result.neurons,
         short_text(result.body_length), short_text(result.mass), digest_text(result.digest),
         verdict_name(result.verdict), audit_text(result.audit));

@@ -56,7 +56,7 @@ std::span<const TimelinePlot> timeline_plots() {
         {TimelineQuantity::kNeurons,
          "neurons",
          "Neurons",
-         "The number of live neurons of a brain, on average over the generation.",
+         "The number of connected neurons of a brain, on average over the generation.",
          {{"neurons, mean", field<&Statistics::mean_neurons>}}},
         {TimelineQuantity::kTrials,
          "trials",

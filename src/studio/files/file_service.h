@@ -74,7 +74,8 @@ public:
     FileService(BackgroundWorker& worker, const EvolutionKinds& kinds)
         : worker_(worker), kinds_(kinds) {}
 
-    // Loads a creature, card, settings or experiment file; the ending of its name tells which.
+    // Loads a creature, card, settings, experiment or preserve file; its name or content tells
+    // which.
     void load(const std::filesystem::path& path);
     void save_creature(const std::filesystem::path& path, CreatureDocument document);
     // A card is saved in two steps: prepare_card(), then save_card() with the picture that the

@@ -58,13 +58,18 @@ The licence of Cambrian is in its file `LICENSE`.
 | Eigen | vectors and matrices | MPL 2.0 |
 | nlohmann/json | creature files | MIT |
 | toml++ | settings files | MIT |
+| SQLite | experiment and preserve files | public domain |
+| libpng | pictures and cards | libpng |
+| libdeflate | compression | MIT |
+| {fmt} | text | MIT |
 | CLI11 | the command line | BSD, 3 clauses |
 | libnats | several machines, where built with it | Apache 2.0 |
 | Inter | the typeface, where installed | SIL Open Font License 1.1 |
 
 Their sources: `github.com/ocornut/imgui`, `glfw.org`, `github.com/Dav1dde/glad`,
 `github.com/nothings/stb`, `eigen.tuxfamily.org`, `github.com/nlohmann/json`,
-`github.com/marzer/tomlplusplus`, `github.com/CLIUtils/CLI11`,
+`github.com/marzer/tomlplusplus`, `sqlite.org`, `libpng.org`, `github.com/ebiggers/libdeflate`,
+`github.com/fmtlib/fmt`, `github.com/CLIUtils/CLI11`,
 `github.com/nats-io/nats.c`, `rsms.me/inter`.
 )";
 

@@ -27,8 +27,8 @@ constexpr std::array kOverlays = {
                 "The range of each joint, with a needle at its present position.",
                 &OverlaysShown::limits},
     OverlayKind{"sensors", "Sensors",
-                "The readings of the brain: a dot for each face with a contact sensor, lit while "
-                "the face touches, and an arc for each joint angle.",
+                "The readings of the brain: a dot for each sensor, brighter the closer its reading "
+                "is to 1, lit for a face while it touches, and an arc for each joint angle.",
                 &OverlaysShown::sensors},
     OverlayKind{"sounds", "Sounds",
                 "What can be heard: a dot at each voice and impact, and rings where a half, a "

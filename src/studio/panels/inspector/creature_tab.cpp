@@ -103,7 +103,7 @@ void draw_body(const FrameContext& frame) {
     const Phenotype& phenotype = frame.viewer.playback.creature().phenotype();
     fact("Parts", std::to_string(phenotype.parts.size()));
     fact("Moving joints", std::to_string(phenotype.effector_parts.size()));
-    fact("Live neurons", std::to_string(phenotype.network.order.size()));
+    fact("Connected neurons", std::to_string(phenotype.network.order.size()));
     fact("Sensors in use", std::to_string(phenotype.sensors.size()));
     const double density = frame.viewer.playback.creature().replay().environment().density;
     fact("Mass", measured(phenotype.mass(density), "kg"));

@@ -5,7 +5,7 @@
 namespace cambrian {
 
 // Shows numbers of the displayed creature: its fitness and how that is composed, its body, its
-// origin, the energy audit of its trial.
+// origin.
 class CreatureTab final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
