@@ -47,6 +47,20 @@ TEST_CASE("the loads of a standing creature's parts sum to its weight", "[dynami
     CHECK(scene->part_load(3) > 0.0);
 }
 
+TEST_CASE("nothing is felt in free fall that begins in motion", "[dynamics][forces]") {
+    Environment air;
+    air.has_ground = false;
+    RandomStream random(stream_seed({4, 74}));
+    const auto scene = make_scene(measured(random_tree(random, 5, 0.0, 20.0, 0.0)), air);
+    SceneMotion motion = scene->motion();
+    motion.speeds[motion.speeds.size() - 2] = 3.0;
+    motion.speeds[motion.speeds.size() - 1] = -2.0;
+    REQUIRE(scene->begin_at(motion));
+    REQUIRE(run(*scene, kTestTick));
+    for (std::size_t part = 0; part < scene->part_count(); ++part)
+        CHECK(scene->part_specific_force(part).norm() <= 1e-9);
+}
+
 TEST_CASE("in free fall nothing is felt", "[dynamics][forces]") {
     Environment air;
     air.has_ground = false;

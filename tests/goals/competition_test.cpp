@@ -9,6 +9,7 @@
 #include "support/kinds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 
@@ -133,6 +134,35 @@ TEST_CASE("the scores of both sides of a bout add up to exactly 2", "[goals][com
     CHECK(contest_score({0.0, 1.0}) == 2.0);
     const BoutDistances end = *bout(pusher(), sitter()).bout;
     CHECK(contest_score(end) + contest_score({end.other, end.own}) == 2.0);
+}
+
+TEST_CASE("an opponent smells its own scent as the judged creature does", "[goals][competition]") {
+    using Builder = test::CreatureBuilder;
+    const KindCatalog& catalog = kinds().creature.catalog;
+    Builder builder(catalog);
+    const auto body = builder.part(0.6, 0.3);
+    const auto arm = builder.part(0.5, 0.2);
+    builder.attach(body, arm, 0.625);
+    const auto full = builder.neuron(
+        body, "sum", {Builder::constant(1.0), Builder::constant(0.0), Builder::constant(0.0)});
+    builder.organ(body, "scent", full, 1.0, 0.0);
+    const InputGene smell{
+        {.kind = SourceKind::kLocalSensor, .index = Builder::index_of(catalog.channels, "smell")}};
+    builder.drive(
+        arm, builder.neuron(arm, "sum", {smell, Builder::constant(0.0), Builder::constant(0.0)}),
+        1.0);
+    const GenomePtr creature = builder.build();
+    const ExperimentSettings settings = contest({creature});
+    const auto phenotype = std::make_shared<const Phenotype>(
+        express(*creature, kinds().creature, settings.expression, settings.world.scene));
+    auto trial = Trial::start(phenotype, kinds().creature, first_trial_world(settings));
+    REQUIRE(trial);
+    while ((*trial)->tick()) {
+    }
+    const double own = (*trial)->scene().joint_coordinate(1);
+    const double other = (*trial)->bout()->opponent()->joint_coordinate(1);
+    CHECK(std::fabs(own) > 0.1);
+    CHECK(std::fabs(other) == Approx(std::fabs(own)).epsilon(0.02));
 }
 
 TEST_CASE("a score is the mean over the opponents", "[goals][competition]") {

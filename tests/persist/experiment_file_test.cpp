@@ -5,6 +5,7 @@
 #include "persist/creature/creature_file.h"
 #include "persist/creature/rescoring.h"
 #include "persist/experiment/experiment_parts.h"
+#include "persist/experiment/kept_experiment.h"
 #include "persist/records/experiment_schema.h"
 #include "persist/settings/settings_file.h"
 #include "persist/steered_run.h"
@@ -316,6 +317,29 @@ TEST_CASE("a star keeps each score it was given, although its individual is drop
     REQUIRE(opened->stars.size() == stars.size());
     for (std::size_t i = 0; i < stars.size(); ++i)
         check_equal(*opened->stars[i].individual, *stars[i].individual);
+}
+
+TEST_CASE("a star given before the run has a file is kept with its first generation",
+          "[persist][experiment_file]") {
+    const TemporaryDirectory folder;
+    const std::filesystem::path path = folder / "own.cambrian";
+    const SettingsPtr settings = shared(small_settings());
+    KeptRun elsewhere("");
+    run_on(elsewhere.evolution, *elsewhere.file, 1);
+    const JudgedIndividual star = {0, elsewhere.evolution.population().front(), settings};
+    {
+        KeptExperiment kept(path, kinds());
+        REQUIRE(kept.begin(settings, {}));
+        REQUIRE(kept.keep_stars({star}));
+        CHECK_FALSE(kept.took_autosave());
+        Evolution evolution(settings, kinds());
+        run_on(evolution, kept, 1);
+        CHECK(kept.took_autosave());
+    }
+    const auto opened = open_experiment(path, kinds());
+    REQUIRE(opened);
+    REQUIRE(opened->stars.size() == 1);
+    check_equal(*opened->stars.front().individual, *star.individual);
 }
 
 TEST_CASE("an experiment moves to another file and goes on there", "[persist][experiment_file]") {

@@ -1,6 +1,7 @@
 #include "persist/settings/typed_setting.h"
 
 #include "support/catch.h"
+#include "support/creatures.h"
 #include "support/kinds.h"
 
 using namespace cambrian;
@@ -26,6 +27,17 @@ TEST_CASE("settings are typed with or without their table and quotes", "[persist
     CHECK(settings->selection.method == "rank");
     CHECK(settings->goal == "swimming");
     CHECK(settings->terminate_early);
+}
+
+TEST_CASE("a typed setting leaves the opponents of a contest", "[persist]") {
+    ExperimentSettings settings = default_settings("competition", kinds());
+    settings.world.opponents.genomes = {fish(kinds().creature.catalog)};
+    const auto longer = with_typed(settings, {"trial.duration=12"}, kinds());
+    REQUIRE(longer);
+    CHECK(longer->world.opponents == settings.world.opponents);
+    const auto walking = with_typed(settings, {"goal.behavior=walking"}, kinds());
+    REQUIRE(walking);
+    CHECK(walking->world.opponents.genomes.empty());
 }
 
 TEST_CASE("a later text replaces what an earlier one says, and nothing else", "[persist]") {

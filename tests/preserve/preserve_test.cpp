@@ -27,6 +27,15 @@ std::ptrdiff_t rhythmic_founders(const ExperimentSettings& settings) {
     });
 }
 
+TEST_CASE("random founders can live where no parts may overlap", "[preserve]") {
+    ExperimentSettings settings = small_world();
+    settings.expression.strict_overlap = true;
+    settings.preserve.founders = 40;
+    const auto founders = random_founders(settings, kinds());
+    REQUIRE(founders);
+    CHECK(begun(settings, *founders)->residents().size() == 40);
+}
+
 TEST_CASE("energy is constant to the last unit while creatures feed, breed and die", "[preserve]") {
     ExperimentSettings settings = small_world();
     settings.preserve.founders = 16;

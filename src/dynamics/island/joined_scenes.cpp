@@ -24,8 +24,6 @@ BodyScene& body_scene(PhysicsScene& scene) {
     return *found;
 }
 
-using Members = std::vector<SceneBody*>;
-
 struct JoinedState final : SceneState {
     JoinedState(const PackedBody& saved, bool saved_new) : packed(saved), is_new(saved_new) {}
     PackedBody packed;
@@ -53,9 +51,9 @@ public:
     void restore(const SceneState& state) override;
 
 private:
-    void begin(const Members& members);
-    SceneStatus move(const Members& members, double duration, StepControl& control);
-    void gather(const Members& members);
+    void begin();
+    SceneStatus move(double duration, StepControl& control);
+    void gather();
     bool follows(const SceneBody& member, const Offset& offset) const;
     template <class From, class To, class Visit>
     void visit_coordinates(From& from, To& to, const SceneBody& member, const Offset& offset,
@@ -74,7 +72,8 @@ private:
 
     std::vector<Offset> offsets_;
     PackedBody packed_;
-    SceneBody* all_ = nullptr;  // in the workspace of the present tick
+    SceneBody* all_ = nullptr;         // in the workspace of the present tick
+    std::vector<SceneBody*> members_;  // the scenes' bodies, also there
     std::span<PhysicsScene* const> scenes_;
     bool is_new_ = true;
 };
@@ -84,16 +83,16 @@ SceneStatus JoinedBodies::advance(std::span<PhysicsScene* const> scenes, double 
     CAMBRIAN_ASSERT(scenes.size() == offsets_.size(), "the scenes that were joined");
     auto* steps = dynamic_cast<StepWorkspace*>(&workspace);
     CAMBRIAN_ASSERT(steps != nullptr, "a workspace of an articulated body");
-    Members members;
+    members_.clear();
     for (std::size_t i = 0; i < scenes.size(); ++i)
-        members.push_back(&body_scene(*scenes[i]).open(steps->room(i)));
+        members_.push_back(&body_scene(*scenes[i]).open(steps->room(i)));
     all_ = &steps->joined_room();
     scenes_ = scenes;
     if (is_new_)
-        begin(members);
+        begin();
     else
         packed_.unpack(*all_);
-    const SceneStatus status = move(members, duration, steps->control);
+    const SceneStatus status = move(duration, steps->control);
     for (PhysicsScene* scene : scenes)
         body_scene(*scene).close();
     packed_.pack(*all_);
@@ -101,17 +100,17 @@ SceneStatus JoinedBodies::advance(std::span<PhysicsScene* const> scenes, double 
     return status;
 }
 
-void JoinedBodies::begin(const Members& members) {
+void JoinedBodies::begin() {
     std::vector<const PlanarModel*> models;
-    for (const SceneBody* member : members)
+    for (const SceneBody* member : members_)
         models.push_back(&member->model);
     all_->model = join_models(models);
     all_->state = SimulationState{};
     all_->forcing = Forcing{};
 }
 
-SceneStatus JoinedBodies::move(const Members& members, double duration, StepControl& control) {
-    gather(members);
+SceneStatus JoinedBodies::move(double duration, StepControl& control) {
+    gather();
     SimulationState& state = all_->state;
     if (!state.cache_is_current) {
         all_->forcing.held = nullptr;
@@ -125,8 +124,8 @@ SceneStatus JoinedBodies::move(const Members& members, double duration, StepCont
     state.detection = 0;
     control.advance(all_->model, all_->law, all_->forcing, duration, state);
     if (state.status != SceneStatus::kRunning) return state.status;
-    for (std::size_t i = 0; i < members.size(); ++i)
-        spread(duration, *members[i], i);
+    for (std::size_t i = 0; i < members_.size(); ++i)
+        spread(duration, *members_[i], i);
     end_tick(*all_);
     return state.status;
 }
@@ -139,11 +138,11 @@ void JoinedBodies::restore(const SceneState& state) {
 }
 
 // Takes over what the members do in the next tick, and their motions unless they still follow.
-void JoinedBodies::gather(const Members& members) {
-    const SceneBody& first = *members.front();
+void JoinedBodies::gather() {
+    const SceneBody& first = *members_.front();
     bool follow = !is_new_;
-    for (std::size_t i = 0; follow && i < members.size(); ++i)
-        follow = follows(*members[i], offsets_[i]);
+    for (std::size_t i = 0; follow && i < members_.size(); ++i)
+        follow = follows(*members_[i], offsets_[i]);
     if (!follow) {
         static_cast<SceneMoment&>(all_->state) = SceneMoment{};
         all_->state.has_last_acceleration = true;
@@ -155,8 +154,8 @@ void JoinedBodies::gather(const Members& members) {
     all_->forcing.drive.frequency = first.forcing.drive.frequency;
     all_->forcing.drive.speed_limit = first.forcing.drive.speed_limit;
     all_->forcing.pulls.clear();
-    for (std::size_t i = 0; i < members.size(); ++i) {
-        SceneBody& member = *members[i];
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+        SceneBody& member = *members_[i];
         if (!follow) begin_anew(member, offsets_[i]);
         begin_tick(member);
         take_drive(member, offsets_[i]);
