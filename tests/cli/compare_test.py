@@ -40,9 +40,9 @@ class Compare(ProgramTest):
                          {(arm, seed) for arm in ["small", "random-search"] for seed in "125"})
         for row in rows:
             self.assertGreaterEqual(int(row["evaluations"]), 15)
-            champion = json.loads((self.folder / "out" / "champions" /
-                                   f"quick-{row['arm']}-seed{row['seed']}.creature.json")
-                                  .read_text())
+            name = (f"quick-{row['arm']}-seed{row['seed']}-{row['trials']}-"
+                    f"{row['settings'][:8]}.creature.json")
+            champion = json.loads((self.folder / "out" / "champions" / name).read_text())
             self.assertEqual(champion["scored"]["fitness"], float(row["score"]))
         self.assertIn("| small | 3 |", told.stdout)
         self.assertIn("random-search against small", told.stdout)

@@ -136,6 +136,30 @@ class Experiment(ProgramTest):
         self.run_well("evolve", "large.toml", "-n", len(kept) + 1, "-o", "b.cambrian")
         self.assertEqual(digests(disk / "a.cambrian"), digests(self.folder / "b.cambrian"))
 
+    def test_a_run_goes_on_past_what_ended_it_if_more_generations_are_asked_for(self):
+        self.write("tiny.toml", SMALL.replace("duration = 2", "duration = 0.5"))
+        self.run_well("evolve", "tiny.toml", "--set", "run.max-evaluations=15", "-n", 50,
+                      "-o", "a.cambrian")
+        kept = len(digests(self.folder / "a.cambrian"))
+        self.assertLess(kept, 10)
+        self.assert_refused(self.run_program("evolve", "-r", "a.cambrian"), "is complete")
+        self.run_well("evolve", "-r", "a.cambrian", "-n", kept + 2)
+        self.assertEqual(len(digests(self.folder / "a.cambrian")), kept + 2)
+
+    def test_an_interrupted_run_says_how_to_go_on_as_it_was_begun(self):
+        self.write("tiny.toml", SMALL.replace("duration = 2", "duration = 0.5"))
+        (self.folder / "my runs").mkdir()
+        process = self.start("evolve", "tiny.toml", "-n", 100000, "-o", "my runs/a.cambrian")
+        process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        messages = process.communicate(timeout=600)[1]
+        self.assertIn("cambrian evolve --resume 'my runs/a.cambrian'\n", messages)
+        process = self.start("evolve", "-r", "my runs/a.cambrian", "-n", 200000)
+        process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        messages = process.communicate(timeout=600)[1]
+        self.assertIn("--resume 'my runs/a.cambrian' --generations 200000\n", messages)
+
     def test_killed_at_any_moment_it_goes_on_to_the_same_end(self):
         """Kills the program (kill -9) KILLS times before the last generation; each kill loses at
         most one generation. Kills before it has made its file are more, and come later on a slow

@@ -158,6 +158,17 @@ class Preserve(ProgramTest):
             self.assertEqual(rest, expected[int(kept / 10):])
         self.assertIn("replay verified", self.run_well("verify", "a.cambrian").stdout)
 
+    def test_a_changed_law_is_kept_though_the_minute_was_not_finished(self):
+        self.run_well("preserve", "pond.toml", "-f", *SWIMMERS, "--seconds", 60, "-o", "a.cambrian")
+        told = self.run_well("preserve", "-r", "a.cambrian", "--seconds", 70, "--law",
+                             "preserve.growth-time=7")
+        self.assertIn("goes on from the last full minute", told.stderr)
+        self.run_well("preserve", "-r", "a.cambrian", "--seconds", 80)
+        with opened(self.folder / "a.cambrian") as file:
+            laws = file.execute("SELECT tick, x FROM interventions WHERE what LIKE 'law %'")
+            self.assertEqual(laws.fetchall(), [(3600, 7.0)])
+        self.run_well("verify", "a.cambrian")
+
     def test_a_damaged_snapshot_is_left_out_for_the_one_before(self):
         self.run_well("preserve", "pond.toml", "-f", *SWIMMERS, "--seconds", 120, "-o", "a.cambrian")
         kept = self.snapshots("a.cambrian")
@@ -169,6 +180,8 @@ class Preserve(ProgramTest):
 
     def test_what_a_preserve_cannot_use_gets_one_message(self):
         self.assert_refused(self.run_program("preserve"), "a settings file to begin with")
+        self.assert_refused(self.run_program("preserve", "--founders", *SWIMMERS, "pond.toml"),
+                            "pond.toml is behind --founders")
         self.write("hard.toml", POND + 'bodies = "hard"\n')
         self.assert_refused(self.run_program("preserve", "hard.toml"),
                             "known are solid, ghostly")

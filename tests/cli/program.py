@@ -2,9 +2,11 @@
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
+import time
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -77,6 +79,15 @@ class ProgramTest(unittest.TestCase):
                                    encoding="utf-8", **options)
         self.addCleanup(self.end, process)
         return process
+
+    @staticmethod
+    def wait_until_caught(process, number):
+        """Waits until the program handles a signal instead of dying of it."""
+        caught = 0
+        while process.poll() is None and not caught >> (number - 1) & 1:
+            time.sleep(0.01)
+            status = pathlib.Path(f"/proc/{process.pid}/status").read_text()
+            caught = int(re.search(r"SigCgt:\s+([0-9a-f]+)", status)[1], 16)
 
     @staticmethod
     def end(process):

@@ -10,6 +10,7 @@
 #include "app/trial/founder_files.h"
 #include "app/trial/score_notice.h"
 #include "cluster/join_cluster.h"
+#include "core/text/shell_word.h"
 #include "core/threads/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/engine/stopping.h"
@@ -105,7 +106,11 @@ Status check_unfinished(const std::string& file, const SavedExperiment& saved,
 
 ExperimentSettings limits_of(const EvolutionRun& run, const SavedExperiment& saved) {
     ExperimentSettings limits = saved.latest ? *saved.latest->settings : *saved.settings;
-    limits.generations = run.generations.value_or(limits.generations);
+    if (!run.generations) return limits;
+    // Whoever asks for more generations wants them, whatever ended the run before.
+    limits.generations = *run.generations;
+    limits.max_evaluations = ExperimentSettings().max_evaluations;
+    limits.target_fitness = ExperimentSettings().target_fitness;
     return limits;
 }
 
@@ -141,8 +146,7 @@ Result<Course> resumed_course(const EvolutionRun& run, const EvolutionKinds& kin
 
 Result<Course> course_of(const EvolutionRun& run, const EvolutionKinds& kinds) {
     if (!run.resume.empty()) return resumed_course(run, kinds);
-    if (run.settings_file.empty())
-        return Error{"a settings file to begin with, or --resume FILE, is required"};
+    if (run.settings_file.empty()) return Error{no_settings_file(run.founders)};
     return new_course(run, kinds);
 }
 
@@ -244,8 +248,13 @@ ExitStatus report(const Course& course, const Harvest& harvest, const std::strin
 }
 
 void say_how_to_go_on(const Course& course) {
-    if (course.file)
-        say("to continue: cambrian evolve --resume " + course.outputs.experiment.string());
+    if (!course.file) return;
+    const int limit = course.evolution.settings().generations;
+    say(fmt::format("to continue: cambrian evolve --resume {}{}",
+                    shell_word(course.outputs.experiment.string()),
+                    course.limits.generations == limit
+                        ? ""
+                        : fmt::format(" --generations {}", course.limits.generations)));
 }
 
 // How a run ended.

@@ -7,6 +7,7 @@
 #include "app/trial/founder_files.h"
 #include "app/trial/score_notice.h"
 #include "core/stopwatch.h"
+#include "core/text/shell_word.h"
 #include "persist/preserve/preserve_file.h"
 #include "persist/settings/settings_file.h"
 #include "preserve/laws.h"
@@ -92,14 +93,17 @@ Result<World> resumed_world(const PreserveRun& run, const EvolutionKinds& kinds)
     return World{std::move(*preserve), std::move(opened->file), run.resume};
 }
 
+// Rests after the changes, so that the next snapshot that is written has them.
 Status change_laws(Preserve& preserve, const std::vector<std::string>& laws) {
+    if (laws.empty()) return {};
     for (const std::string& law : laws) {
         const Result<Intervention> change = law_change_of(law);
         const Result<std::uint64_t> changed =
             change ? preserve.intervene(*change) : Result<std::uint64_t>(change.error());
         if (!changed) return Error{fmt::format("--law {}: {}", law, changed.error().message)};
     }
-    return {};
+    const Result<std::uint64_t> rested = preserve.intervene({.what = intervention::kRest});
+    return rested ? Status() : rested.error();
 }
 
 // Tells how the preserve is doing: a line on the terminal all the time, and lines of output.
@@ -175,6 +179,10 @@ Status compute(World& world, const PreserveRun& run, const Interruption& interru
     const std::uint64_t begun = preserve.ticks();
     const std::uint64_t end = last_tick(run);
     Chronicle pending = preserve.take_chronicle();
+    // A snapshot of now, since the next one may never come, and changed laws would be lost.
+    if (!run.laws.empty()) {
+        if (Status kept = keep(world, pending, true); !kept) return kept;
+    }
     while (preserve.ticks() < end && !interruption.requested()) {
         preserve.tick(pool);
         Chronicle chronicle = preserve.take_chronicle();
@@ -211,7 +219,7 @@ CommandFiles files_of(const PreserveRun& run) {
 
 ExitStatus run_preserve(const PreserveRun& run, const EvolutionKinds& kinds) {
     if (run.resume.empty() && run.settings_file.empty())
-        return fail({"a settings file to begin with, or --resume FILE, is required"});
+        return fail({no_settings_file(run.founders)});
     if (!run.out.empty() && !is_experiment_name(run.out))
         return fail({fmt::format("--out {}: expected a file named *.cambrian", run.out)});
     Result<World> world = run.resume.empty() ? new_world(run, kinds) : resumed_world(run, kinds);
@@ -222,13 +230,16 @@ ExitStatus run_preserve(const PreserveRun& run, const EvolutionKinds& kinds) {
     }
     if (Status changed = change_laws(*world->preserve, run.laws); !changed)
         return fail(changed.error());
+    if (!world->file && !run.json) say("this preserve is not kept; --out FILE.cambrian keeps one");
     const Interruption interruption;
     if (Status computed = compute(*world, run, interruption); !computed)
         return fail(computed.error(), ExitStatus::kFailed);
     warn_of_crowds(*world->preserve);
-    if (interruption.requested() && world->file)
-        say(fmt::format("stopped; `cambrian preserve --resume {}` goes on from the last minute",
-                        world->name));
+    const bool within_minute = world->preserve->ticks() % kTicksPerSnapshot != 0;
+    if (world->file && (interruption.requested() || within_minute)) {
+        say(fmt::format("{}`cambrian preserve --resume {}` goes on from the last full minute",
+                        interruption.requested() ? "stopped; " : "", shell_word(world->name)));
+    }
     return ExitStatus::kDone;
 }
 

@@ -25,6 +25,7 @@ Interruption::Interruption() {
     once.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
     ::sigaction(SIGINT, &once, &interrupt_before_);
     ::sigaction(SIGTERM, &once, &terminate_before_);
+    ::sigaction(SIGHUP, &once, &hang_up_before_);
     watch_ = std::jthread([this](const std::stop_token& stop) {
         std::mutex mutex;
         std::condition_variable_any woken;
@@ -38,6 +39,7 @@ Interruption::Interruption() {
 Interruption::~Interruption() {
     ::sigaction(SIGINT, &interrupt_before_, nullptr);
     ::sigaction(SIGTERM, &terminate_before_, nullptr);
+    ::sigaction(SIGHUP, &hang_up_before_, nullptr);
 }
 
 bool Interruption::requested() const {

@@ -22,6 +22,7 @@ public:
 private:
     struct sigaction interrupt_before_ {};
     struct sigaction terminate_before_ {};
+    struct sigaction hang_up_before_ {};
     std::stop_source source_;
     std::jthread watch_;  // last member, since it uses the source
 };

@@ -34,4 +34,14 @@ std::vector<GenomePtr> genomes_of(std::span<const CreatureDocument> founders) {
     return genomes;
 }
 
+std::string no_settings_file(const std::vector<std::string>& founders) {
+    std::string missing = "a settings file to begin with, or --resume FILE, is required";
+    for (const std::string& founder : founders) {
+        if (founder.ends_with(".toml"))
+            return fmt::format("{}; {} is behind --founders, and must come before it", missing,
+                               founder);
+    }
+    return missing;
+}
+
 }  // namespace cambrian

@@ -27,4 +27,7 @@ Result<std::vector<CreatureDocument>> load_founders(std::span<const std::string>
                                                     const EvolutionKinds& kinds);
 std::vector<GenomePtr> genomes_of(std::span<const CreatureDocument> founders);
 
+// Says that a settings file is missing, and if one is among the founders, how it came there.
+std::string no_settings_file(const std::vector<std::string>& founders);
+
 }  // namespace cambrian

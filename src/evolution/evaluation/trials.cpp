@@ -138,6 +138,7 @@ std::vector<double> scores_in(std::span<const Probe> probes, const GenomePtr& ge
                               const std::stop_token& stop) {
     std::vector<double> scores;
     for (const Probe& probe : probes) {
+        if (stop.stop_requested()) break;
         const EvaluationResult result = evaluate_in_trials(
             {.genome = genome, .trial_seed = trial_seed(settings), .probe = probe}, settings, kinds,
             stop);

@@ -43,7 +43,8 @@ double held_out_score(const GenomePtr& genome, const ExperimentSettings& setting
 ExperimentSettings accurate_settings(const ExperimentSettings& settings,
                                      const EvolutionKinds& kinds);
 
-// The creature's score in each probe's world; 0 for a trial that fails.
+// The creature's score in each probe's world; 0 for a trial that fails. After a stop request there
+// are fewer.
 std::vector<double> scores_in(std::span<const Probe> probes, const GenomePtr& genome,
                               const ExperimentSettings& settings, const EvolutionKinds& kinds,
                               const std::stop_token& stop = {});

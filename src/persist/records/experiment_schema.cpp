@@ -96,7 +96,8 @@ Result<std::int64_t> version_of_tables(const Database& database) {
     if (application == kPreserveApplication)
         return Error{
             "it is a preserve, no experiment; `cambrian preserve --resume` goes on with it"};
-    if (application != kExperimentApplication) return Error{"it is another program's database"};
+    if (application != kExperimentApplication)
+        return Error{"it is empty or another program's database"};
     const std::int64_t version = database.integer("PRAGMA user_version");
     if (version > kExperimentVersion) {
         return Error{fmt::format("its version {} is newer than this program ({})", version,
