@@ -136,7 +136,10 @@ class TypedSettings(ProgramTest):
 
     def test_one_command_evolves_several_seeds(self):
         self.write("quick.toml", QUICK + "[run]\ngenerations = 2\n")
-        self.run_well("evolve", "quick.toml", "--seeds", "3..4,9", "--set", "size=6", "-o", "out/")
+        told = self.run_well("evolve", "quick.toml", "--seeds", "3..4,9", "--set", "size=6", "-o",
+                             "out/", "--json").stdout
+        generations = [line for line in map(json.loads, told.splitlines()) if "size" in line]
+        self.assertEqual([line["seed"] for line in generations], [3, 3, 4, 4, 9, 9])
         self.assertEqual(sorted(path.name for path in (self.folder / "out").glob("*.cambrian")),
                          [f"swimming-seed{seed}.cambrian" for seed in (3, 4, 9)])
         statistics = self.run_well("export", "out/swimming-seed9.cambrian", "--stats").stdout

@@ -87,6 +87,8 @@ class Evolve(ProgramTest):
         self.assertTrue((self.folder / "new/folder" / name).exists())
         self.run_well(*common, "--out", "new")
         self.assertTrue((self.folder / "new" / name).exists())
+        self.assert_refused(self.run_program(*common, "--out", "results"), "--out results",
+                            "results/", "results.cambrian")
         self.run_well(*common, "--out", "mine.json")
         self.assertTrue((self.folder / "mine.json").exists())
         self.run_well(*common, "--out", "/dev/null")

@@ -1,8 +1,10 @@
 #include "persist/settings/typed_setting.h"
 
+#include "core/files/file_io.h"
 #include "support/catch.h"
 #include "support/creatures.h"
 #include "support/kinds.h"
+#include "support/temporary_directory.h"
 
 using namespace cambrian;
 using namespace cambrian::test;
@@ -27,6 +29,17 @@ TEST_CASE("settings are typed with or without their table and quotes", "[persist
     CHECK(settings->selection.method == "rank");
     CHECK(settings->goal == "swimming");
     CHECK(settings->terminate_early);
+}
+
+TEST_CASE("a goal that is typed brings its world, as one in the file does", "[persist]") {
+    const TemporaryDirectory folder;
+    const auto path = folder / "plain.toml";
+    REQUIRE(write_file(path, "[population]\nsize = 40\n"));
+    const auto typed = load_with_typed(path, {"goal.behavior=swimming"}, kinds());
+    REQUIRE(typed);
+    ExperimentSettings expected = default_settings("swimming", kinds());
+    expected.population.size = 40;
+    CHECK(*typed == expected);
 }
 
 TEST_CASE("a typed setting leaves the opponents of a contest", "[persist]") {

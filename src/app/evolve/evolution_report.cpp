@@ -69,9 +69,10 @@ std::string json_of_births(const GenerationStatistics& statistics) {
     return json_object(lines);
 }
 
-std::string json_of(const GenerationStatistics& statistics, const std::string& unit,
+std::string json_of(const GenerationStatistics& statistics, const ReportedRun& run,
                     const std::string& cluster) {
     JsonMembers members = {
+        {"seed", std::to_string(run.seed)},
         {"generation", std::to_string(statistics.generation)},
         {"size", std::to_string(statistics.size)},
         {"evaluations", std::to_string(statistics.evaluations)},
@@ -99,7 +100,7 @@ std::string json_of(const GenerationStatistics& statistics, const std::string& u
         {"filled_cells", std::to_string(statistics.filled_cells)},
         {"quality", real_text(statistics.quality)},
         {"generations_without_progress", std::to_string(statistics.generations_without_progress)},
-        {"unit", quoted_text(unit)}};
+        {"unit", quoted_text(run.unit)}};
     if (!cluster.empty()) members.push_back({"cluster", cluster});
     return json_object(members);
 }
@@ -150,9 +151,10 @@ std::string origin_in_words(const Individual& individual) {
     return text;
 }
 
-std::string generation_line(const GenerationStatistics& statistics, const std::string& unit,
-                            bool json, const std::string& cluster) {
-    if (json) return json_of(statistics, unit, cluster);
+std::string generation_line(const GenerationStatistics& statistics, const ReportedRun& run,
+                            const std::string& cluster) {
+    if (run.json) return json_of(statistics, run, cluster);
+    const std::string& unit = run.unit;
     const std::string number = std::to_string(statistics.generation);
     return fmt::format("generation {}   best {} {}   median {} {}{}", right_aligned(number, 4),
                        right_aligned(fixed(statistics.best), 8), unit,

@@ -3,16 +3,24 @@
 #include "app/evolve/run_outputs.h"
 #include "evolution/evolution.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace cambrian {
 
-// Returns one line about a generation, as text or, with `json`, as a JSON object. `cluster` is an
-// object that says who took part; it is added under that key unless empty.
-std::string generation_line(const GenerationStatistics& statistics, const std::string& unit,
-                            bool json, const std::string& cluster = "");
+// What the lines about all generations of a run share.
+struct ReportedRun {
+    std::uint64_t seed = 0;
+    std::string unit;   // of the goal
+    bool json = false;  // lines are JSON objects
+};
+
+// Returns one line about a generation. `cluster` is a JSON object that says who took part; it is
+// added to JSON under that key unless empty.
+std::string generation_line(const GenerationStatistics& statistics, const ReportedRun& run,
+                            const std::string& cluster);
 
 // Returns a creature's origin: generation and method of breeding, and every mutation with both
 // values.

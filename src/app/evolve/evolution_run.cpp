@@ -39,7 +39,7 @@ namespace {
 Result<SettingsPtr> settings_of(const EvolutionRun& run, const EvolutionKinds& kinds) {
     Result<ExperimentSettings> settings = load_settings(run.settings_file, kinds);
     if (!settings) return settings.error();
-    settings = with_typed(*std::move(settings), run.sets, kinds);
+    if (!run.sets.empty()) settings = load_with_typed(run.settings_file, run.sets, kinds);
     if (!settings) return Error{"--set: " + settings.error().message};
     settings->generations = run.generations.value_or(settings->generations);
     if (!run.seeds.empty()) settings->seed = run.seeds.front();
@@ -163,26 +163,25 @@ struct Harvest {
 class GenerationReport {
 public:
     // All arguments must outlive the object.
-    GenerationReport(const EvaluationBackend& backend, const std::string& unit, bool json)
-        : backend_(backend), unit_(unit), json_(json) {}
+    GenerationReport(const EvaluationBackend& backend, const ReportedRun& run)
+        : backend_(backend), run_(run) {}
 
     std::string line(const GenerationStatistics& statistics) {
         const BackendStatus status = backend_.status();
         std::string cluster;
         if (status.link != ClusterLink::kNone) cluster = cluster_json(status, before_);
         before_ = status.counts;
-        return generation_line(statistics, unit_, json_, cluster);
+        return generation_line(statistics, run_, cluster);
     }
 
 private:
     const EvaluationBackend& backend_;
-    const std::string& unit_;
-    const bool json_;
+    const ReportedRun& run_;
     BackendCounts before_;
 };
 
 // Evaluates, saves and breeds generations until the run ends.
-Harvest evolve(Course& course, EvaluationBackend& backend, const std::string& unit, bool json) {
+Harvest evolve(Course& course, EvaluationBackend& backend, const ReportedRun& run) {
     Harvest harvest;
     const Interruption interruption;
     EvaluationProgress progress;
@@ -191,7 +190,7 @@ Harvest evolve(Course& course, EvaluationBackend& backend, const std::string& un
                     static_cast<std::uint32_t>(evolution.history().size()),
                     [&backend] { return cluster_remark(backend.status()); });
     const ClusterWatch watch(backend, [&bar](std::string_view words) { bar.say_above(words); });
-    GenerationReport report(backend, unit, json);
+    GenerationReport report(backend, run);
     for (;;) {
         if (!evolution.evaluate(backend, progress, interruption.token())) {
             const bool asked = interruption.requested();
@@ -292,7 +291,8 @@ RunEnd run_once(const EvolutionRun& run, const EvolutionKinds& kinds) {
     const auto backend = backend_of(run, *cluster, course->outputs, kinds);
     if (!backend) return {fail(backend.error())};
     const std::string unit = kinds.goals.find(course->limits.goal)->unit;
-    const Harvest harvest = evolve(*course, **backend, unit, run.json);
+    const ReportedRun reported{course->limits.seed, unit, run.json};
+    const Harvest harvest = evolve(*course, **backend, reported);
     ExitStatus status = ExitStatus::kFailed;
     if (harvest.champion) {
         status = report(*course, harvest, unit, run.json, kinds);

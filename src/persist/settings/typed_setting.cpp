@@ -40,6 +40,18 @@ std::string several_settings(const std::vector<SettingField>& fields) {
     return words;
 }
 
+Result<ExperimentSettings> merge_typed(SettingsText begin,
+                                       const std::vector<std::string>& assignments,
+                                       const EvolutionKinds& kinds) {
+    std::vector<SettingsText> texts = {std::move(begin)};
+    for (const std::string& assignment : assignments) {
+        Result<SettingsText> text = typed_setting(assignment, kinds);
+        if (!text) return text.error();
+        texts.push_back(*std::move(text));
+    }
+    return merge_settings(texts, kinds);
+}
+
 }  // namespace
 
 Result<SettingsText> typed_setting(std::string_view assignment, const EvolutionKinds& kinds) {
@@ -59,17 +71,20 @@ Result<SettingsText> typed_setting(std::string_view assignment, const EvolutionK
         source};
 }
 
+Result<ExperimentSettings> load_with_typed(const std::filesystem::path& path,
+                                           const std::vector<std::string>& assignments,
+                                           const EvolutionKinds& kinds) {
+    Result<SettingsText> text = read_settings_text(path);
+    if (!text) return text.error();
+    return merge_typed(*std::move(text), assignments, kinds);
+}
+
 Result<ExperimentSettings> with_typed(ExperimentSettings settings,
                                       const std::vector<std::string>& assignments,
                                       const EvolutionKinds& kinds) {
     if (assignments.empty()) return settings;
-    std::vector<SettingsText> texts = {{write_settings(settings, kinds), "the settings"}};
-    for (const std::string& assignment : assignments) {
-        Result<SettingsText> text = typed_setting(assignment, kinds);
-        if (!text) return text.error();
-        texts.push_back(*std::move(text));
-    }
-    Result<ExperimentSettings> changed = merge_settings(texts, kinds);
+    Result<ExperimentSettings> changed =
+        merge_typed({write_settings(settings, kinds), "the settings"}, assignments, kinds);
     if (changed && changed->goal == settings.goal)
         changed->world.opponents = std::move(settings.world.opponents);  // they have no text
     return changed;
