@@ -76,6 +76,35 @@ TEST_CASE("pictures have the signals of the brain that is watched, while it live
     CHECK(removed->brain.slots.empty());
 }
 
+// A log whose writing ends by an exception.
+class BrokenLog final : public PreserveLog {
+public:
+    Status write(const Chronicle& /*chronicle*/, const Preserve& /*preserve*/) override {
+        throw std::runtime_error("out of luck");
+    }
+    Status keep_pins(const Pins& /*pins*/) override { return {}; }
+    std::vector<std::uint64_t> snapshots() const override { return {}; }
+};
+
+TEST_CASE("a preserve that an exception stopped neither goes on nor changes",
+          "[preserve][threads]") {
+    PreserveEngine engine({begun(small_world(), {eater(0.0)}), std::make_unique<BrokenLog>(), {}},
+                          {.workers = 1});
+    engine.send(PacePreserve{kFullSpeed});
+    engine.send(PlayPreserve{true});
+    const auto stopped = wait_for(engine, [](const auto& picture) { return picture.broken; });
+    CHECK_FALSE(stopped->playing);
+    CHECK(stopped->failure == "out of luck");
+    CHECK(stopped->tick == kTicksPerSnapshot);
+    engine.send(PlayPreserve{true});
+    engine.send(StepPreserve{});
+    engine.send(Intervene{{.what = intervention::kFeed}});
+    const auto asked = wait_for(engine, [](const auto& picture) { return answered(picture, 1); });
+    CHECK(asked->news.back().problem == "out of luck");
+    CHECK(asked->tick == stopped->tick);
+    CHECK(asked->failure == "out of luck");
+}
+
 TEST_CASE("a preserve goes at the pace that is asked for", "[preserve][threads]") {
     PreserveEngine engine({begun(small_world(), {eater(0.0)}), nullptr, {}}, {.workers = 1});
     engine.send(PacePreserve{0.1});

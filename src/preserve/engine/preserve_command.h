@@ -20,6 +20,7 @@ inline constexpr double kFullSpeed = 0.0;
 struct Intervene {
     Intervention intervention;  // its tick is ignored
 };
+
 // Lets the log keep these pins, from when it is written next.
 struct KeepPins {
     Pins pins;

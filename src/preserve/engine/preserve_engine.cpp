@@ -48,14 +48,12 @@ void PreserveEngine::work(ThreadPool& pool, const std::stop_token& stop) {
         stop, [&](const std::stop_token& interrupted) { advance(pool, interrupted); });
 }
 
-// After an exception the preserve is never advanced or written again; its log keeps the last
-// snapshot.
 template <class Work>
 void PreserveEngine::guard(const Work& work) {
     try {
         work();
     } catch (const std::exception& failure) {
-        is_broken_ = true;
+        shown_.broken = true;
         stop_with(failure.what());
         publish();
     }
@@ -126,7 +124,7 @@ void PreserveEngine::write() {
 // A rest is an intervention, so that replays have it, too. A preserve at its snapshot needs none.
 void PreserveEngine::keep() {
     const Preserve& preserve = *start_.preserve;
-    if (!start_.log || is_broken_) return;
+    if (!start_.log || shown_.broken) return;
     const bool changed =
         preserve.snapshot()->tick != preserve.ticks() || !unwritten_.interventions.empty();
     if (changed) {
@@ -148,14 +146,14 @@ void PreserveEngine::tell(PreserveNews news) {
 }
 
 void PreserveEngine::apply(PlayPreserve command) {
-    if (is_broken_) return;
+    if (shown_.broken) return;
     shown_.playing = command.playing;
     shown_.failure.clear();
     pacing_.begin();
 }
 
 void PreserveEngine::apply(StepPreserve) {
-    if (is_broken_) return;
+    if (shown_.broken) return;
     shown_.playing = false;
     single_tick_ = true;
 }
@@ -165,7 +163,7 @@ void PreserveEngine::apply(PacePreserve command) {
 }
 
 void PreserveEngine::apply(const Intervene& command) {
-    const Result<std::uint64_t> done = is_broken_
+    const Result<std::uint64_t> done = shown_.broken
                                            ? Result<std::uint64_t>(Error{shown_.failure})
                                            : start_.preserve->intervene(command.intervention);
     tell({.what = command.intervention.what,

@@ -80,7 +80,6 @@ private:
     PreservePicture shown_;  // all but what publish() takes from the preserve
     Stopwatch published_;
     bool single_tick_ = false;
-    bool is_broken_ = false;  // an exception left the preserve in the middle of a change
 
     std::jthread thread_;  // last member, so that it is joined before the others are destroyed
 };

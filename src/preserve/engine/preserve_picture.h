@@ -54,7 +54,10 @@ struct PreservePicture {
     double factor = 0.0;  // reached
     bool kept = false;    // whether a log keeps it
     std::string failure;  // why it stopped, or empty
-    SettingsPtr laws;     // in force
+    // Whether an exception stopped it in the middle of a change. Then it neither goes on nor is
+    // written; its log keeps the last snapshot.
+    bool broken = false;
+    SettingsPtr laws;  // in force
     WorldArea area;
     SeriesRow now;
     std::vector<ResidentPicture> residents;  // in ascending order of numbers

@@ -31,8 +31,10 @@ void OpenPreserve::update(Feedback& feedback) {
     const auto before = std::exchange(picture_, engine_.latest());
     if (before == picture_) return;
     if (before->failure != picture_->failure && !picture_->failure.empty()) {
-        feedback.tell(NoticeKind::kProblem, "The preserve is paused: " + picture_->failure +
-                                                ". Press Play to try again.");
+        const char* advice = picture_->broken ? ". Open it again to go on from its last snapshot."
+                                              : ". Press Play to try again.";
+        feedback.tell(NoticeKind::kProblem,
+                      "The preserve is paused: " + picture_->failure + advice);
     }
     follow_picked(feedback);
     tell_news(feedback);
