@@ -41,12 +41,7 @@ class ClusterTest(ProgramTest):
 
     def end_processes(self):
         for process in self.processes:
-            if process.poll() is None:
-                process.kill()
-            process.wait(30)
-            for stream in (process.stdout, process.stderr):
-                if stream:
-                    stream.close()
+            self.end(process)
 
     def start(self, *arguments, program=CAMBRIAN, **options):
         """Starts a process of the program; its messages go to a file."""

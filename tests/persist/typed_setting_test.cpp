@@ -1,10 +1,8 @@
 #include "persist/settings/typed_setting.h"
 
-#include "core/files/file_io.h"
 #include "support/catch.h"
 #include "support/creatures.h"
 #include "support/kinds.h"
-#include "support/temporary_directory.h"
 
 using namespace cambrian;
 using namespace cambrian::test;
@@ -32,10 +30,8 @@ TEST_CASE("settings are typed with or without their table and quotes", "[persist
 }
 
 TEST_CASE("a goal that is typed brings its world, as one in the file does", "[persist]") {
-    const TemporaryDirectory folder;
-    const auto path = folder / "plain.toml";
-    REQUIRE(write_file(path, "[population]\nsize = 40\n"));
-    const auto typed = load_with_typed(path, {"goal.behavior=swimming"}, kinds());
+    const auto typed = merge_typed({"[population]\nsize = 40\n", "plain.toml"},
+                                   {"goal.behavior=swimming"}, kinds());
     REQUIRE(typed);
     ExperimentSettings expected = default_settings("swimming", kinds());
     expected.population.size = 40;

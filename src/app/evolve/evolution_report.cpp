@@ -161,9 +161,10 @@ std::string generation_line(const GenerationStatistics& statistics, const Report
                        right_aligned(fixed(statistics.median), 8), unit, remarks(statistics));
 }
 
-std::string final_line(const Evolution& evolution, const std::string& unit,
+std::string final_line(const Evolution& evolution, const ReportedRun& run,
                        const ReportedChampion& reported, const RunOutputs& files,
-                       std::string_view stopped_by, bool json) {
+                       std::string_view stopped_by) {
+    const std::string& unit = run.unit;
     const Individual& champion = reported.individual;
     const std::vector<GenerationStatistics>& history = evolution.history();
     const TerminationAudit& audit = evolution.termination_audit();
@@ -171,7 +172,7 @@ std::string final_line(const Evolution& evolution, const std::string& unit,
     const GenerationStatistics& first = history.front();
     const GenerationStatistics& last = history.back();
     const bool interrupted = stopped_by == "interruption";
-    if (json) {
+    if (run.json) {
         return json_object(
             {{"champion", json_of_path(files.champion)},
              {"experiment", json_of_path(files.experiment)},

@@ -10,7 +10,7 @@
 
 namespace cambrian {
 
-// What the lines about all generations of a run share.
+// What all lines about a run share.
 struct ReportedRun {
     std::uint64_t seed = 0;
     std::string unit;   // of the goal
@@ -35,8 +35,8 @@ struct ReportedChampion {
 
 // Returns the result of the run, its files and why it ended: a stop_reason(), "interruption" or
 // "failure". At least one generation must have been evaluated.
-std::string final_line(const Evolution& evolution, const std::string& unit,
+std::string final_line(const Evolution& evolution, const ReportedRun& run,
                        const ReportedChampion& champion, const RunOutputs& files,
-                       std::string_view stopped_by, bool json);
+                       std::string_view stopped_by);
 
 }  // namespace cambrian

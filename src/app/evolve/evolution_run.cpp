@@ -37,9 +37,11 @@ namespace cambrian {
 namespace {
 
 Result<SettingsPtr> settings_of(const EvolutionRun& run, const EvolutionKinds& kinds) {
-    Result<ExperimentSettings> settings = load_settings(run.settings_file, kinds);
+    const Result<SettingsText> text = read_settings_text(run.settings_file);
+    if (!text) return text.error();
+    Result<ExperimentSettings> settings = parse_settings(text->text, text->source, kinds);
     if (!settings) return settings.error();
-    if (!run.sets.empty()) settings = load_with_typed(run.settings_file, run.sets, kinds);
+    if (!run.sets.empty()) settings = merge_typed(*text, run.sets, kinds);
     if (!settings) return Error{"--set: " + settings.error().message};
     settings->generations = run.generations.value_or(settings->generations);
     if (!run.seeds.empty()) settings->seed = run.seeds.front();
@@ -223,7 +225,7 @@ Harvest evolve(Course& course, EvaluationBackend& backend, const ReportedRun& ru
 }
 
 // Saves the champion and prints the final line.
-ExitStatus report(const Course& course, const Harvest& harvest, const std::string& unit, bool json,
+ExitStatus report(const Course& course, const Harvest& harvest, const ReportedRun& run,
                   const EvolutionKinds& kinds) {
     RunOutputs outputs = course.outputs;
     if (!outputs.champion.empty()) {
@@ -243,7 +245,7 @@ ExitStatus report(const Course& course, const Harvest& harvest, const std::strin
     if (kinds.goals.find(harvest.settings->goal)->shares != nullptr)
         champion.held_out = held_out_score(harvest.champion->genome, *harvest.settings, kinds);
     return print_result_line(
-        final_line(course.evolution, unit, champion, outputs, harvest.stopped_by, json));
+        final_line(course.evolution, run, champion, outputs, harvest.stopped_by));
 }
 
 void say_how_to_go_on(const Course& course) {
@@ -290,12 +292,12 @@ RunEnd run_once(const EvolutionRun& run, const EvolutionKinds& kinds) {
     if (!course) return {fail(course.error())};
     const auto backend = backend_of(run, *cluster, course->outputs, kinds);
     if (!backend) return {fail(backend.error())};
-    const std::string unit = kinds.goals.find(course->limits.goal)->unit;
-    const ReportedRun reported{course->limits.seed, unit, run.json};
+    const ReportedRun reported{course->limits.seed, kinds.goals.find(course->limits.goal)->unit,
+                               run.json};
     const Harvest harvest = evolve(*course, **backend, reported);
     ExitStatus status = ExitStatus::kFailed;
     if (harvest.champion) {
-        status = report(*course, harvest, unit, run.json, kinds);
+        status = report(*course, harvest, reported, kinds);
     } else if (harvest.kept) {
         const bool first = course->evolution.history().empty();
         say(fmt::format("interrupted before the {} generation was judged",

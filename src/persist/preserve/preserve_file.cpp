@@ -41,6 +41,7 @@ Result<Part> load_from_preserve(const std::filesystem::path& path, Read read) {
     try {
         std::optional<Result<Part>> part;
         read_database(path, [&](const Database& database) {
+            database.allow_values_of(kMostSnapshotBytes);
             database.prepare("BEGIN").run();  // what others write meanwhile is not seen
             const Status sound = check_preserve_tables(database);
             part = sound ? read(database)
@@ -168,6 +169,7 @@ Status copy_preserve(const std::filesystem::path& from, std::uint64_t tick,
     try {
         Status copied = preserve_failure(kOpeningPreserve, from, "it has no such snapshot");
         read_database(from, [&](const Database& database) {
+            database.allow_values_of(kMostSnapshotBytes);
             if (Status sound = check_preserve_tables(database); !sound) {
                 copied = preserve_failure(kOpeningPreserve, from, sound.error().message);
                 return;

@@ -83,8 +83,7 @@ LifeRow row_of(const Life& life);
 inline constexpr int kMostSnapshotBytes = 128'000'000;
 
 void create_preserve_tables(Database& database);
-// Fails with a sentence if the database is not a preserve that this program reads; otherwise allows
-// the values that preserves have.
+// Fails with a sentence if the database is not a preserve that this program reads.
 Status check_preserve_tables(const Database& database);
 // Brings tables of an earlier version to that of this program.
 void upgrade_preserve_tables(Database& database);

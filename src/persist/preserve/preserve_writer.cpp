@@ -85,7 +85,6 @@ Status check_preserve_tables(const Database& database) {
             "it is an experiment, no preserve; `cambrian evolve --resume` goes on with it"};
     if (application != kPreserveApplication)
         return Error{"it is empty or another program's database"};
-    database.allow_values_of(kMostSnapshotBytes);
     const std::int64_t version = database.integer("PRAGMA user_version");
     if (version >= 1 && version <= kPreserveVersion) return {};
     return Error{

@@ -40,18 +40,6 @@ std::string several_settings(const std::vector<SettingField>& fields) {
     return words;
 }
 
-Result<ExperimentSettings> merge_typed(SettingsText begin,
-                                       const std::vector<std::string>& assignments,
-                                       const EvolutionKinds& kinds) {
-    std::vector<SettingsText> texts = {std::move(begin)};
-    for (const std::string& assignment : assignments) {
-        Result<SettingsText> text = typed_setting(assignment, kinds);
-        if (!text) return text.error();
-        texts.push_back(*std::move(text));
-    }
-    return merge_settings(texts, kinds);
-}
-
 }  // namespace
 
 Result<SettingsText> typed_setting(std::string_view assignment, const EvolutionKinds& kinds) {
@@ -71,12 +59,16 @@ Result<SettingsText> typed_setting(std::string_view assignment, const EvolutionK
         source};
 }
 
-Result<ExperimentSettings> load_with_typed(const std::filesystem::path& path,
-                                           const std::vector<std::string>& assignments,
-                                           const EvolutionKinds& kinds) {
-    Result<SettingsText> text = read_settings_text(path);
-    if (!text) return text.error();
-    return merge_typed(*std::move(text), assignments, kinds);
+Result<ExperimentSettings> merge_typed(SettingsText begin,
+                                       const std::vector<std::string>& assignments,
+                                       const EvolutionKinds& kinds) {
+    std::vector<SettingsText> texts = {std::move(begin)};
+    for (const std::string& assignment : assignments) {
+        Result<SettingsText> text = typed_setting(assignment, kinds);
+        if (!text) return text.error();
+        texts.push_back(*std::move(text));
+    }
+    return merge_settings(texts, kinds);
 }
 
 Result<ExperimentSettings> with_typed(ExperimentSettings settings,

@@ -1,7 +1,7 @@
 #include "preserve/life/founders.h"
 
-#include "creature/overlap.h"
 #include "evolution/generation.h"
+#include "preserve/life/resident.h"
 
 #include <fmt/core.h>
 
@@ -11,11 +11,8 @@ namespace {
 constexpr std::uint64_t kDrawsOfAFounder = 200;
 
 bool can_live(const Genome& genome, const ExperimentSettings& settings, const Kinds& kinds) {
-    const SceneSettings& scene = settings.world.scene;
-    const Phenotype phenotype = express(genome, kinds, settings.expression, scene);
-    if (!phenotype.can_move() || !phenotype.has_live_control) return false;
-    if (settings.expression.strict_overlap && overlaps_itself(phenotype.plan)) return false;
-    return kinds.scene.make(phenotype.plan, settings.world.environment, scene).has_value();
+    const Phenotype body = express(genome, kinds, settings.expression, settings.world.scene);
+    return body.can_move() && body.has_live_control && scene_of(body, kinds, settings);
 }
 
 }  // namespace

@@ -9,16 +9,20 @@
 
 namespace cambrian {
 
+Result<std::unique_ptr<PhysicsScene>> scene_of(const Phenotype& body, const Kinds& kinds,
+                                               const ExperimentSettings& settings) {
+    if (settings.expression.strict_overlap && overlaps_itself(body.plan))
+        return Error{"parts overlap that no joint connects"};
+    return kinds.scene.make(body.plan, settings.world.environment, settings.world.scene);
+}
+
 Result<std::unique_ptr<Resident>> Resident::grow(Life begun, const Kinds& kinds,
                                                  const ExperimentSettings& settings,
                                                  const CommonSenses& senses) {
     const Phenotype grown =
         express(*begun.genome.unpack(), kinds, settings.expression, settings.world.scene);
     auto phenotype = std::make_unique<const Phenotype>(grown);  // a copy has no spare capacity
-    if (settings.expression.strict_overlap && overlaps_itself(phenotype->plan))
-        return Error{"parts overlap that no joint connects"};
-    auto scene =
-        kinds.scene.make(phenotype->plan, settings.world.environment, settings.world.scene);
+    auto scene = scene_of(*phenotype, kinds, settings);
     if (!scene) return scene.error();
     return std::unique_ptr<Resident>(new Resident(std::move(begun), std::move(phenotype), kinds,
                                                   settings, senses, std::move(*scene)));

@@ -27,6 +27,10 @@ struct ResidentState {
     std::vector<double> sensor_memory, effector_memory;
 };
 
+// Makes the scene of a grown body. Fails, with a reason, if physics or the settings reject it.
+Result<std::unique_ptr<PhysicsScene>> scene_of(const Phenotype& body, const Kinds& kinds,
+                                               const ExperimentSettings& settings);
+
 class Resident {
 public:
     // Grows the creature at its rest pose around the origin, without energy. Fails, with a reason,
