@@ -122,7 +122,7 @@ class Cuts(FaultTest):
     def wait_for_far(self, results):
         self.wait_to_hear(results, lambda _, body: self.ids["far"] in body)
 
-    def end(self):
+    def end_run(self):
         self.assertIsNone(self.far.poll(), self.far.log.read_text())
         self.end_and_compare(self.run_there, "cut", ENDLESS)
         self.assertNotIn("is refused", self.run_there.log.read_text())
@@ -137,7 +137,7 @@ class Cuts(FaultTest):
         time.sleep(max(0.0, repaired - time.monotonic()))
         self.network.repair()
         self.wait_for_far(self.results())
-        self.end()
+        self.end_run()
 
     def test_late_results_of_a_network_that_was_cut_are_compared(self):
         """The coordinator is stopped meanwhile, so that its generation does not end."""
@@ -158,7 +158,7 @@ class Cuts(FaultTest):
             if counts["duplicates"] > 0:
                 break
         self.assertGreater(counts["duplicates"], 0)
-        self.end()
+        self.end_run()
 
     def wait_until_all_is_answered(self):
         """Waits until the units of the far worker were delivered to the near one."""
