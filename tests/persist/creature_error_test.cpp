@@ -5,6 +5,7 @@
 #include "support/temporary_directory.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -278,6 +279,18 @@ TEST_CASE("W03: a creature changed by hand is loaded with a warning", "[persist]
     const auto warnings = warnings_of(changed("\"length\": 0.5", "\"length\": 0.6"));
     REQUIRE(warnings.size() == 1);
     CHECK_THAT(warnings[0], Catch::StartsWith("W03 /check"));
+}
+
+TEST_CASE("W05: a creature's number that is none is ignored with a warning",
+          "[persist][creature_error]") {
+    const auto loaded = parse_creature(changed("\"88d1c00000000002\"", "\"mother\""),
+                                       "some.creature.json", kinds());
+    REQUIRE(loaded);
+    REQUIRE(loaded->warnings.size() == 1);
+    CHECK(loaded->warnings[0] ==
+          "W05 /parents/1: is not a number of 1 to 16 hexadecimal digits, ignored");
+    CHECK(loaded->creature.individual->parents ==
+          std::array<std::uint64_t, 2>{0x17aa040000000001ULL, 0});
 }
 
 TEST_CASE("a creature file of 100 MB is refused unread", "[persist][creature_error]") {

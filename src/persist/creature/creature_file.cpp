@@ -108,6 +108,18 @@ void finish_opponents(std::vector<Genome>& opponents, const KindCatalog& catalog
     }
 }
 
+// Ignores numbers of creatures that are none (W05).
+void finish_identity(CreatureText& text, ErrorList& errors) {
+    const auto check = [&errors](std::string& uid, const std::string& place) {
+        if (uid.empty() || parse_hex(uid)) return;
+        errors.warn("W05", place, "is not a number of 1 to 16 hexadecimal digits, ignored");
+        uid.clear();
+    };
+    check(text.uid, "/uid");
+    for (std::size_t i = 0; i < text.parents.size(); ++i)
+        check(text.parents[i], fmt::format("/parents/{}", i));
+}
+
 // Restores the individual. Of its result, the file has the fitness and what replays are compared
 // with.
 Individual individual_of(CreatureText text) {
@@ -221,6 +233,7 @@ Result<CreatureDocument> parse_creature(std::string_view text, std::string_view 
     ExperimentSettings settings;
     read_document(reader, read, settings, kinds);
     if (!errors.empty()) return errors.as_error(source);
+    finish_identity(read, errors);
     finish_genome(read.genome, read.check, kinds.creature.catalog, errors);
     if (read.scored) finish_opponents(read.scored->opponents, kinds.creature.catalog, errors);
     if (!errors.empty()) return errors.as_error(source);

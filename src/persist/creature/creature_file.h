@@ -45,7 +45,7 @@ struct CreatureDocument {
     JudgedIndividual creature;
     std::optional<std::uint64_t> ancestry = {};  // ancestry_digest(), if the ancestors are known
     ScoreNotes notes = {};                       // valid if there is a score
-    // Warnings of reading, about harmless oddities (W01 to W03).
+    // Warnings of reading, about harmless oddities (W01 to W03, W05).
     std::vector<std::string> warnings = {};
 
     bool scored() const { return creature.individual->evaluated; }

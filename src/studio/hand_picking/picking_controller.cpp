@@ -13,8 +13,7 @@ struct PickingController::Handler {
 
     void operator()(const ToggleHandPicking&) const {
         if (!self.picking_.on()) return self.enter();
-        self.leave();
-        self.experiment_.release(true);
+        self.leave(true);
     }
     void operator()(const HandOverPicks& request) const {
         if (!self.picking_.on()) return;
@@ -37,8 +36,7 @@ struct PickingController::Handler {
                 NoticeKind::kDone,
                 "The picks join the next generation that is bred. Press Evolve to go on.");
         }
-        self.leave();
-        self.experiment_.release(false);
+        self.leave(false);
     }
     void operator()(const AskPicking& request) const {
         if (!self.picking_.on()) return;
@@ -68,7 +66,10 @@ PickingController::PickingController(const Services& services, ViewState& view,
 
 void PickingController::update(double elapsed) {
     const unsigned run = experiment_.open().runs_begun();
-    if (std::exchange(seen_run_, run) != run && !picking_.on()) restore({});
+    if (std::exchange(seen_run_, run) != run) {
+        if (picking_.on()) leave(false);
+        restore({});
+    }
     picking_.use(experiment_.open().snapshot().settings);
     picking_.update(elapsed * view_.speed, services_.feedback.log());
     facts_.reset();
@@ -113,8 +114,9 @@ void PickingController::enter() {
     services_.feedback.log().write("hand-picking", {{"on", true}});
 }
 
-void PickingController::leave() {
+void PickingController::leave(bool resume) {
     picking_.leave(experiment_.open().snapshot());
+    experiment_.release(resume);
     facts_.reset();
     services_.feedback.log().write("hand-picking", {{"on", false}});
 }

@@ -20,7 +20,7 @@ public:
                       ExperimentController& experiment, const ThreadShare& threads);
 
     // Must be called once a frame: plays the grid on by `elapsed` seconds and saves new picks. A
-    // new run begins without the grids of the run before.
+    // new run ends the mode and begins without the grids of the run before.
     void update(double elapsed);
     void carry_out(const PickingRequest& request);
     // Applies a playback request to the grid while it is displayed. Returns false if the request is
@@ -41,7 +41,7 @@ public:
 private:
     struct Handler;
     void enter();
-    void leave();
+    void leave(bool resume);  // see ExperimentController::release()
     void keep();
 
     Services services_;

@@ -136,6 +136,24 @@ TEST_CASE("a new run begins without the grids of the run before", "[studio][cont
     CHECK(run.picking().tree.current().origin == GridOrigin::kPopulation);
 }
 
+TEST_CASE("a new run ends picking by hand and begins without its grids",
+          "[studio][controller][picking]") {
+    PickingRun run;
+    run.studio.show_random_creature();
+    run.enter(1);
+    run.pick({5});
+    run.breed();
+    const std::uint64_t before = run.studio.frame_context().experiment.snapshot.experiment;
+    run.ask(StartNewRun{});
+    CHECK(run.frames_until([&] { return run.studio.frame_context().picking == nullptr; }));
+    REQUIRE(run.frames_until(
+        [&] { return run.studio.frame_context().experiment.snapshot.experiment == before + 1; }));
+    run.run_generations(1);
+    run.enter(1);
+    CHECK(run.picking().tree.current().origin == GridOrigin::kPopulation);
+    CHECK(run.picking().picks.empty());
+}
+
 TEST_CASE("handing over without a pick says so and stays", "[studio][controller][picking]") {
     PickingRun run;
     run.studio.show_random_creature();
