@@ -43,6 +43,13 @@ void share_out(std::map<std::string, double>& shares) {
 
 }  // namespace
 
+TEST_CASE("settings are those of a preserve if they have its table", "[persist][settings]") {
+    CHECK(use_of_settings("[preserve]\nwidth = 9\n") == SettingsUse::kPreserve);
+    CHECK(use_of_settings("[run]\nseed = 1\n") == SettingsUse::kExperiment);
+    CHECK(use_of_settings("") == SettingsUse::kExperiment);
+    CHECK(use_of_settings("[preserve]\nwidth = ") == SettingsUse::kExperiment);
+}
+
 TEST_CASE("an empty settings file is the default experiment", "[persist][settings_file]") {
     const auto loaded = parse_settings("", "run.toml", kinds());
     REQUIRE(loaded);

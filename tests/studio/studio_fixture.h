@@ -104,7 +104,8 @@ public:
                 .files = {.browser = files_},
                 .picking = picking_view_ ? &*picking_view_ : nullptr,
                 .machines = &machines_,
-                .comparison = &comparison_};
+                .comparison = &comparison_,
+                .preserve_card = preserve_card_};
     }
 
     PickingSnapshot& picking() { return picking_; }
@@ -115,6 +116,7 @@ public:
     MachinesView& machines() { return machines_; }
     ComparisonView& comparison() { return comparison_; }
     Stars& stars() { return stars_; }
+    PreserveCardView& preserve_card() { return preserve_card_; }
     ViewState& view() { return view_; }
 
 private:
@@ -134,6 +136,7 @@ private:
     std::optional<PickingView> picking_view_;
     MachinesView machines_;
     ComparisonView comparison_;
+    PreserveCardView preserve_card_;
 };
 
 // Returns the request if it is of this kind, otherwise null.

@@ -18,6 +18,9 @@ namespace cambrian {
 // What a settings file describes, which decides its tables.
 enum class SettingsUse : std::uint8_t { kExperiment, kPreserve };
 
+// Returns what a text describes: a preserve if it has the table [preserve].
+SettingsUse use_of_settings(std::string_view text);
+
 // Returns the settings of a file that has only the goal (an id, or empty for the default). Their
 // world is the goal's default.
 ExperimentSettings default_settings(std::string_view goal, const EvolutionKinds& kinds);

@@ -134,6 +134,12 @@ Result<ExperimentSettings> parse_settings(std::string_view text, std::string_vie
     return merge_settings({{std::string(text), std::string(source)}}, kinds, use);
 }
 
+SettingsUse use_of_settings(std::string_view text) {
+    const toml::parse_result document = toml::parse(text);
+    const bool preserve = document && document.table().contains(kPreserveTable);
+    return preserve ? SettingsUse::kPreserve : SettingsUse::kExperiment;
+}
+
 Result<ExperimentSettings> merge_settings(const std::vector<SettingsText>& texts,
                                           const EvolutionKinds& kinds, SettingsUse use) {
     const bool preserve = use == SettingsUse::kPreserve;

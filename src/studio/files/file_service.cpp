@@ -25,6 +25,16 @@ FileEvent prepared(CardOrder order, const EvolutionKinds& kinds, const std::stop
     return CardPrepared{{order.path, write_creature(order.document, kinds), std::move(*subject)}};
 }
 
+FileEvent loaded_settings(const std::filesystem::path& path, const EvolutionKinds& kinds) {
+    const Result<SettingsText> text = read_settings_text(path);
+    if (!text) return FileFailed{path, text.error().message};
+    const SettingsUse use = use_of_settings(text->text);
+    Result<ExperimentSettings> settings = parse_settings(text->text, text->source, kinds, use);
+    if (!settings) return FileFailed{path, settings.error().message};
+    if (use == SettingsUse::kPreserve) return PreserveSettingsLoaded{path, *std::move(settings)};
+    return SettingsLoaded{path, *std::move(settings)};
+}
+
 }  // namespace
 
 bool is_card_name(const std::filesystem::path& path) {
@@ -34,9 +44,7 @@ bool is_card_name(const std::filesystem::path& path) {
 FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kinds) {
     const std::string name = path.filename().string();
     if (name.ends_with(".toml")) {
-        auto settings = load_settings(path, kinds);
-        if (settings) return SettingsLoaded{path, std::move(*settings)};
-        return FileFailed{path, settings.error().message};
+        return loaded_settings(path, kinds);
     }
     if (name.ends_with(".json") || is_card_name(path)) {
         auto document = load_creature(path, kinds);

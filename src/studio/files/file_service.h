@@ -30,6 +30,10 @@ struct SettingsLoaded {
     std::filesystem::path path;
     ExperimentSettings settings;
 };
+struct PreserveSettingsLoaded {
+    std::filesystem::path path;
+    ExperimentSettings settings;
+};
 struct ExperimentLoaded {
     std::filesystem::path path;
     std::shared_ptr<OpenedExperiment> experiment;
@@ -57,8 +61,9 @@ struct FileFailed {
     std::filesystem::path path;
     std::string message;
 };
-using FileEvent = std::variant<CreatureLoaded, SettingsLoaded, ExperimentLoaded, PreserveLoaded,
-                               FileSaved, CardPrepared, FolderListed, FileFailed>;
+using FileEvent =
+    std::variant<CreatureLoaded, SettingsLoaded, PreserveSettingsLoaded, ExperimentLoaded,
+                 PreserveLoaded, FileSaved, CardPrepared, FolderListed, FileFailed>;
 
 struct CardOrder {
     std::filesystem::path path;

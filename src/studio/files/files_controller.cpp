@@ -162,6 +162,11 @@ struct FilesController::Receiver {
                         fmt::format("Opened {}. Press Evolve to begin with these settings.",
                                     event.path.filename().string()));
     }
+    void operator()(const PreserveSettingsLoaded& event) const {
+        log("loaded", event.path);
+        self.subjects_.preserve.carry_out(
+            PlanPreserve{event.path, event.settings.world.environment.has_ground});
+    }
     void operator()(ExperimentLoaded& event) const {
         OpenExperiment& experiment = self.subjects_.experiment.open();
         if (std::exchange(self.reopening_, false) && !experiment.fresh()) {

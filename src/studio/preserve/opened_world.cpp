@@ -67,7 +67,7 @@ std::filesystem::path preserve_before(const std::filesystem::path& file) {
 Result<OpenedWorld> begin_world(const WorldPlan& plan, const EvolutionKinds& kinds) {
     Result<ExperimentSettings> read = load_settings(plan.settings, kinds, SettingsUse::kPreserve);
     if (!read) return read.error();
-    read->seed = plan.seed;
+    read->seed = plan.seed.value_or(read->seed);
     if (plan.wraps) read->preserve.edges = "wrap";
     Result<std::vector<GenomePtr>> founders = founders_of(plan, *read, kinds);
     if (!founders) return founders.error();

@@ -41,9 +41,9 @@ struct WorldPlan {
     std::filesystem::path settings;  // file of the laws
     bool wraps = false;              // edges meet, whatever the file says
     FounderChoice choice = FounderChoice::kRandom;
-    std::vector<GenomePtr> founders;  // unless the choice is open
-    std::filesystem::path samples;    // folder
-    std::uint64_t seed = 1;
+    std::vector<GenomePtr> founders;         // unless the choice is open
+    std::filesystem::path samples;           // folder
+    std::optional<std::uint64_t> seed = {};  // none: that of the settings
     std::filesystem::path file;  // that will keep it; one of that name is renamed. Empty for none.
 };
 

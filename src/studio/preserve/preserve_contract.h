@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <variant>
 
@@ -16,6 +17,11 @@ namespace cambrian {
 
 // Opens or closes the card with which a preserve is begun.
 struct TogglePreserveCard {};
+// Opens the card for a preserve with the settings of a file.
+struct PlanPreserve {
+    std::filesystem::path settings;
+    bool ground = false;
+};
 struct BeginPreserve {
     std::optional<FounderChoice> founders;  // none: opens the last one that was begun here
     bool wraps = false;                     // edges meet
@@ -80,11 +86,11 @@ struct BranchFrom {
 };
 
 using PreserveRequest =
-    std::variant<TogglePreserveCard, BeginPreserve, ClosePreserve, TogglePlay, AskPreserve,
-                 PickResident, PickNext, FollowPicked, PinPicked, InheritPins, ShowPicked,
-                 ShowWorld, RemovePicked, AimAt, FeedThere, MovePickedThere, DrawWall, ToggleWalls,
-                 EraseWallThere, AddShown, FitWorld, ToggleEnergyRings, TurnPlot, ShowList,
-                 TypeLaws, SetLaw, ChoosePiece, ShowPiece, BranchFrom>;
+    std::variant<TogglePreserveCard, PlanPreserve, BeginPreserve, ClosePreserve, TogglePlay,
+                 AskPreserve, PickResident, PickNext, FollowPicked, PinPicked, InheritPins,
+                 ShowPicked, ShowWorld, RemovePicked, AimAt, FeedThere, MovePickedThere, DrawWall,
+                 ToggleWalls, EraseWallThere, AddShown, FitWorld, ToggleEnergyRings, TurnPlot,
+                 ShowList, TypeLaws, SetLaw, ChoosePiece, ShowPiece, BranchFrom>;
 
 // The card with which a preserve is begun.
 struct PreserveCardView {
@@ -93,6 +99,7 @@ struct PreserveCardView {
     std::size_t starred = 0;  // creatures
     std::size_t picked = 0;   // by hand
     bool before = false;      // whether there is a preserve to continue
+    PlanPreserve plan = {};   // without settings, those of the samples are used
 };
 
 }  // namespace cambrian

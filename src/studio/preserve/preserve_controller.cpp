@@ -144,6 +144,11 @@ struct PreserveController::Handler : WorldTools {
 
     void operator()(const TogglePreserveCard&) const {
         self.tools_.card_open = !self.tools_.card_open;
+        self.tools_.plan = {};
+    }
+    void operator()(const PlanPreserve& request) const {
+        self.tools_.card_open = true;
+        self.tools_.plan = request;
     }
     void operator()(const BeginPreserve& request) const {
         self.tools_.card_open = false;
@@ -272,7 +277,8 @@ PreserveCardView PreserveController::card() const {
             .shown = !subjects_.viewer.playback().empty(),
             .starred = subjects_.generations.facts().stars.all().size(),
             .picked = genomes_of_choice(FounderChoice::kPicked, subjects_).size(),
-            .before = !own_file_.empty() && std::filesystem::exists(own_file_, unknown)};
+            .before = !own_file_.empty() && std::filesystem::exists(own_file_, unknown),
+            .plan = tools_.plan};
 }
 
 void PreserveController::send(PreserveCommand command) {
@@ -281,13 +287,16 @@ void PreserveController::send(PreserveCommand command) {
 
 void PreserveController::begin(FounderChoice choice, bool wraps) {
     WorldPlan plan;
-    plan.settings =
-        assets_ / "settings" / (live_on_ground(choice, subjects_) ? "meadow.toml" : "pond.toml");
+    plan.settings = std::exchange(tools_.plan, {}).settings;
+    if (plan.settings.empty()) {
+        const char* sample = live_on_ground(choice, subjects_) ? "meadow.toml" : "pond.toml";
+        plan.settings = assets_ / "settings" / sample;
+        plan.seed = std::random_device{}();
+    }
     plan.wraps = wraps;
     plan.choice = choice;
     plan.founders = genomes_of_choice(choice, subjects_);
     plan.samples = assets_ / "creatures";
-    plan.seed = std::random_device{}();
     plan.file = own_file_;
     if (!is_open_choice(choice) && plan.founders.empty()) {
         return services_.feedback.tell(NoticeKind::kProblem,

@@ -72,6 +72,7 @@ private:
         bool energy = false;
         bool single = false;
         bool card_open = false;
+        PlanPreserve plan;  // of the card
         unsigned fits_asked = 0;
     };
     void send(PreserveCommand command);

@@ -328,6 +328,19 @@ TEST_CASE("an experiment is saved in its own file at once", "[studio][file_panel
     CHECK(test::asked<SaveExperimentFile>(click(gui, panel, studio, "Save")).path == own);
 }
 
+TEST_CASE(
+    "a preserve with settings of a file keeps their edges and has samples that can live there",
+    "[studio][preserve]") {
+    NullImGui gui(700.0F, 700.0F);
+    NewPreserveCard card;
+    test::StudioFixture studio;
+    CHECK(click(gui, card, studio, "Edges that meet").all().empty());
+    studio.preserve_card().plan = {"lake.toml", true};
+    const auto begun = test::asked<BeginPreserve>(click(gui, card, studio, "Begin"));
+    CHECK_FALSE(begun.wraps);
+    CHECK(begun.founders == FounderChoice::kWalkers);
+}
+
 TEST_CASE("a preserve begins with the edges that were chosen", "[studio][preserve]") {
     NullImGui gui(700.0F, 700.0F);
     NewPreserveCard card;

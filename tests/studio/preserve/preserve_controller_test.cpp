@@ -61,5 +61,35 @@ TEST_CASE("beginning twice begins one preserve and moves none aside", "[studio][
     CHECK_FALSE(std::filesystem::exists(run.state() / "preserve-before.cambrian"));
 }
 
+TEST_CASE("a settings file of a preserve begins one with its settings and its seed",
+          "[studio][preserve]") {
+    PreserveRun run;
+    const auto path = run.folder.path() / "lake.toml";
+    std::ofstream(path) << "[run]\nseed = 77\n[preserve]\nwidth = 31.0\n";
+    run.ask(LoadFile{path});
+    REQUIRE(run.frames_until([&] { return run.studio.frame_context().preserve_card.open; }));
+    CHECK(run.studio.frame_context().preserve_card.plan.settings == path);
+    run.ask(kRandomPreserve);
+    run.settle();
+    REQUIRE(run.open());
+    CHECK(run.studio.frame_context().preserve->founding->seed == 77);
+    CHECK(run.studio.frame_context().preserve->founding->preserve.width == 31.0);
+    run.ask(TogglePreserveCard{});
+    run.studio.update(0.0, 0.001);
+    CHECK(run.studio.frame_context().preserve_card.plan.settings.empty());
+    CHECK(run.studio.frame_context().preserve_card.before);
+}
+
+TEST_CASE("a settings file of a preserve with an error is a notice", "[studio][preserve]") {
+    PreserveRun run;
+    const auto path = run.folder.path() / "lake.toml";
+    std::ofstream(path) << "[preserve]\nwidth = -1.0\n";
+    run.ask(LoadFile{path});
+    REQUIRE(run.frames_until([&] { return run.studio.frame_context().window.notice != nullptr; }));
+    CHECK_THAT(run.studio.frame_context().window.notice->text,
+               Catch::Contains("lake.toml: line 2, [preserve] width"));
+    CHECK_FALSE(run.studio.frame_context().preserve_card.open);
+}
+
 }  // namespace
 }  // namespace cambrian

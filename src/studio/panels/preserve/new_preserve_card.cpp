@@ -4,8 +4,12 @@
 #include "studio/widgets/panel_keys.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace cambrian {
 namespace {
@@ -28,6 +32,18 @@ constexpr std::array kChoices = {
            "Most starve; copies of founders come until some live by themselves"},
 };
 
+std::size_t choice_of(FounderChoice founders) {
+    std::size_t i = 0;
+    while (kChoices[i].founders != founders)
+        ++i;
+    return i;
+}
+
+std::string world_words(const PlanPreserve& plan) {
+    if (plan.settings.empty()) return "It is water or, for those that live on ground, a meadow.";
+    return fmt::format("It has the settings of {}.", plan.settings.filename().string());
+}
+
 bool is_possible(std::optional<FounderChoice> founders, const PreserveCardView& card) {
     if (!founders) return card.before;
     switch (*founders) {
@@ -49,18 +65,21 @@ bool is_possible(std::optional<FounderChoice> founders, const PreserveCardView& 
 
 void NewPreserveCard::draw(const FrameContext& frame, Requests& out) {
     const PreserveCardView& card = frame.preserve_card;
+    follow_plan(card.plan);
     move_by_keys(card);
     if (card_title("New preserve", "Close the card", "preserve", out))
         out.ask(TogglePreserveCard{});
-    muted_text(
-        "A closed world that goes on by itself: creatures eat, bite, bear children and die. It is "
-        "water or, for those that live on ground, a meadow. Who begins it?");
+    muted_text(fmt::format(
+        "A closed world that goes on by itself: creatures eat, bite, bear children and die. {} "
+        "Who begins it?",
+        world_words(card.plan)));
     ImGui::Dummy({0, px(4)});
     for (std::size_t i = 0; i < kChoices.size(); ++i) {
         if (draw_choice(i, is_possible(kChoices[i].founders, card))) chosen_ = i;
     }
     ImGui::Dummy({0, px(6)});
-    draw_edges(kChoices[chosen_].founders.has_value());
+    const bool planned = !card.plan.settings.empty();
+    if (!planned) draw_edges(kChoices[chosen_].founders.has_value());
     const bool possible = is_possible(kChoices[chosen_].founders, card);
     const bool entered = possible && panel_key(ImGuiKey_Enter);
     if (push_button("Begin", {.look = ButtonLook::kPrimary,
@@ -69,7 +88,13 @@ void NewPreserveCard::draw(const FrameContext& frame, Requests& out) {
                               .enabled = possible,
                               .tooltip = "Enter"}) ||
         entered)
-        out.ask(BeginPreserve{kChoices[chosen_].founders, wraps_});
+        out.ask(BeginPreserve{kChoices[chosen_].founders, wraps_ && !planned});
+}
+
+// Chooses samples that can live in a world that was just planned.
+void NewPreserveCard::follow_plan(const PlanPreserve& plan) {
+    if (std::exchange(settings_, plan.settings) == plan.settings || plan.settings.empty()) return;
+    chosen_ = choice_of(plan.ground ? FounderChoice::kWalkers : FounderChoice::kSwimmers);
 }
 
 // A preserve that goes on keeps its edges.

@@ -2,6 +2,9 @@
 
 #include "studio/frame/panel.h"
 
+#include <cstddef>
+#include <filesystem>
+
 namespace cambrian {
 
 // The card with which a preserve is begun.
@@ -10,12 +13,14 @@ public:
     void draw(const FrameContext& frame, Requests& out) override;
 
 private:
+    void follow_plan(const PlanPreserve& plan);
     void move_by_keys(const PreserveCardView& card);
     bool draw_choice(std::size_t index, bool possible);
     void draw_edges(bool possible);
 
-    std::size_t chosen_ = 4;  // index of the choice
-    bool wraps_ = false;      // edges meet
+    std::size_t chosen_ = 4;          // index of the choice
+    bool wraps_ = false;              // edges meet
+    std::filesystem::path settings_;  // file of the plan at the last frame
 };
 
 }  // namespace cambrian
