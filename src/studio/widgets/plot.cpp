@@ -124,7 +124,7 @@ void draw_band(ImDrawList& list, const PlotScale& scale, std::span<const double>
     list.Flags = flags;
 }
 
-void draw_axes(ImDrawList& list, const PlotScale& scale) {
+void draw_axes(ImDrawList& list, const PlotScale& scale, const std::string& x_unit) {
     const WithFont font(ui().fonts.small);
     const ImU32 line = paint(with_alpha(colors().border, 0.7F));
     const ImU32 text = paint(colors().muted);
@@ -139,7 +139,7 @@ void draw_axes(ImDrawList& list, const PlotScale& scale) {
     const int columns = std::max(1, static_cast<int>(scale.area.width / px(80)));
     for (const double value : round_marks(scale.x_low, scale.x_high, columns)) {
         if (value != std::floor(value)) continue;
-        const std::string label = pretty_number(value);
+        const std::string label = pretty_number(value) + (x_unit.empty() ? "" : " " + x_unit);
         const ImVec2 size = ImGui::CalcTextSize(label.c_str());
         list.AddText({scale.x_at(value) - 0.5F * size.x, scale.area.y + scale.area.height + px(4)},
                      text, label.c_str());
