@@ -139,7 +139,7 @@ void draw_axes(ImDrawList& list, const PlotScale& scale, const std::string& x_un
     const int columns = std::max(1, static_cast<int>(scale.area.width / px(80)));
     for (const double value : round_marks(scale.x_low, scale.x_high, columns)) {
         if (value != std::floor(value)) continue;
-        const std::string label = pretty_number(value) + (x_unit.empty() ? "" : " " + x_unit);
+        const std::string label = pretty_number(value) + x_unit;
         const ImVec2 size = ImGui::CalcTextSize(label.c_str());
         list.AddText({scale.x_at(value) - 0.5F * size.x, scale.area.y + scale.area.height + px(4)},
                      text, label.c_str());

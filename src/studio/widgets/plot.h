@@ -54,7 +54,8 @@ void draw_curve(ImDrawList& list, const PlotScale& scale, std::span<const double
 // Draws the area between two curves, at the same cost.
 void draw_band(ImDrawList& list, const PlotScale& scale, std::span<const double> xs,
                std::span<const double> lower, std::span<const double> upper, const Color& color);
-// Draws horizontal lines with values at the left, and values with a unit, if any, along the bottom.
+// Draws horizontal lines with values at the left, and values along the bottom, each followed by a
+// unit such as " s".
 void draw_axes(ImDrawList& list, const PlotScale& scale, const std::string& x_unit = "");
 
 }  // namespace cambrian

@@ -96,7 +96,7 @@ void draw_plot(const std::vector<EnergySample>& samples, double duration) {
                           range.low,
                           range.high};
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    draw_axes(list, scale, "s");
+    draw_axes(list, scale, " s");
     std::vector<double> times;
     std::vector<double> work;
     for (const EnergySample& sample : samples) {

@@ -195,7 +195,7 @@ void WorldPlotsPanel::draw(const FrameContext& frame, Requests& out) {
     const PlotRange range = plot_range(0.0, std::max(most, 1e-3));
     const PlotScale scale{area, minutes.front(), minutes.back(), range.low, range.high};
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    draw_axes(list, scale, "min");
+    draw_axes(list, scale, " min");
     for (const Curve& curve : plot.curves)
         draw_curve(list, scale, minutes, numbers_of(rows, curve.number), curve.color, px(1.6F));
     tell_values(scale, rows, [&](const SeriesRow& row) { return curve_words(row, plot.curves); });
@@ -224,7 +224,7 @@ void EnergyPlotPanel::draw(const FrameContext& frame, Requests& out) {
         draw_band(list, scale, minutes, lower, upper, with_alpha(pool.color, 0.8F));
         lower = std::move(upper);
     }
-    draw_axes(list, scale, "min");
+    draw_axes(list, scale, " min");
     tell_values(scale, rows, pool_words);
 }
 
