@@ -39,6 +39,16 @@ public:
         ask(AskPicking{GoBack{}});
         REQUIRE(frames_until([&] { return picking().tree.current().number != present; }));
     }
+    // Makes a request that begins a run, and waits until it has begun.
+    template <class Request>
+    void begin_run(const Request& request) {
+        const auto experiment = [this] {
+            return studio.frame_context().experiment.snapshot.experiment;
+        };
+        const std::uint64_t before = experiment();
+        ask(request);
+        REQUIRE(frames_until([&] { return experiment() == before + 1; }));
+    }
     void run_generations(std::size_t count) {
         const std::size_t before = champions();
         for (std::size_t i = 1; i <= count; ++i) {
@@ -112,10 +122,7 @@ TEST_CASE("a new run begins with the picks", "[studio][controller][picking]") {
     run.enter(1);
     run.pick({5});
     const GenomePtr picked = run.picking().tree.current().creatures[5]->genome;
-    const std::uint64_t before = run.studio.frame_context().experiment.snapshot.experiment;
-    run.ask(HandOverPicks{PicksUse::kFound});
-    REQUIRE(run.frames_until(
-        [&] { return run.studio.frame_context().experiment.snapshot.experiment == before + 1; }));
+    run.begin_run(HandOverPicks{PicksUse::kFound});
     run.run_generations(1);
     CHECK(has_genome(run.studio.frame_context().experiment.snapshot.population, picked));
 }
@@ -126,11 +133,8 @@ TEST_CASE("a new run begins without the grids of the run before", "[studio][cont
     run.enter(1);
     run.pick({5});
     run.breed();
-    const std::uint64_t before = run.studio.frame_context().experiment.snapshot.experiment;
     run.ask(ToggleHandPicking{});
-    run.ask(StartNewRun{});
-    REQUIRE(run.frames_until(
-        [&] { return run.studio.frame_context().experiment.snapshot.experiment == before + 1; }));
+    run.begin_run(StartNewRun{});
     run.run_generations(1);
     run.enter(1);
     CHECK(run.picking().tree.current().origin == GridOrigin::kPopulation);
@@ -143,11 +147,8 @@ TEST_CASE("a new run ends picking by hand and begins without its grids",
     run.enter(1);
     run.pick({5});
     run.breed();
-    const std::uint64_t before = run.studio.frame_context().experiment.snapshot.experiment;
-    run.ask(StartNewRun{});
+    run.begin_run(StartNewRun{});
     CHECK(run.frames_until([&] { return run.studio.frame_context().picking == nullptr; }));
-    REQUIRE(run.frames_until(
-        [&] { return run.studio.frame_context().experiment.snapshot.experiment == before + 1; }));
     run.run_generations(1);
     run.enter(1);
     CHECK(run.picking().tree.current().origin == GridOrigin::kPopulation);
