@@ -1,10 +1,11 @@
 """Runs preserves for a long time of their world and looks at them every 10 s of it. Fails if the sum
 of all energy is ever another one, by a billionth of a joule or more, if the program ends by itself,
-or if its memory grows by more than 5 % from the second quarter of the time to the last. The lowest
-memory of each quarter counts, since it follows the population at times. Prints a row for each tenth
-of the time, as CSV, and at the end the memory and how many of the worlds still have creatures. A
-soak by the clock stops after so many hours; with a folder its worlds are kept there, and the next
-soak goes on with them.
+or if at the end it holds 5 % more memory than a program that goes on with the same world from its
+file. Memory follows the world, since creatures, their bodies and genotypes become more and fewer, so
+the lowest of the second and of the last quarter of the time are printed besides. Prints a row for
+each tenth of the time, as CSV, and at the end the memory and how many of the worlds still have
+creatures. A soak by the clock stops after so many hours; with a folder its worlds are kept there,
+and the next soak goes on with them.
 
     CAMBRIAN=build/release/bin/cambrian python3 -B tests/cli/preserve_soak.py --hours 10 \\
         --settings assets/settings/pond.toml --founders assets/creatures/squid.creature.json
@@ -14,6 +15,7 @@ soak goes on with them.
 
 import argparse
 import decimal
+import itertools
 import json
 import os
 import pathlib
@@ -30,6 +32,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("CAMBRIAN", str(ROOT / "build/release/bin/cambrian"))
 GROWTH = 1.05
 ROW = 10  # s, between two lines of the program
+SETTLED = 12  # rows after which the memory of a program that resumes a world is compared
 COLUMNS = ("seed,hours,population,lineages,births,hunger,eaten,broken_physics,restocked,speed,"
            "diet,mass,parts,light,plants,flesh,stores,bodies,times_real,megabytes")
 
@@ -73,11 +76,16 @@ def print_row(seed, line, sums, memory):
           f"{float(line['real_time_factor']):.1f}", f"{memory / 1e6:.1f}", sep=",", flush=True)
 
 
-def command_of(seed, options, folder):
-    """Returns the command line that begins a world or goes on with one that is kept."""
+def world_of(seed, options, folder):
+    """Returns the file of a world."""
     worlds = pathlib.Path(options.worlds or folder)
     worlds.mkdir(parents=True, exist_ok=True)
-    world = worlds / f"seed_{seed}.cambrian"
+    return worlds / f"seed_{seed}.cambrian"
+
+
+def command_of(seed, options, folder):
+    """Returns the command line that begins a world or goes on with one that is kept."""
+    world = world_of(seed, options, folder)
     command = [PROGRAM, "preserve", "--json", "--seconds", str(3600 * options.hours),
                "--threads", str(options.threads)]
     if world.exists():
@@ -94,8 +102,21 @@ def print_times(seed, looks, begun):
           " h of processor time up to here")
 
 
+def resumed_memory(seed, options, folder):
+    """Returns the lowest memory of a program that goes on with a world, once it has settled."""
+    process = subprocess.Popen([PROGRAM, "preserve", "--json", "--threads", str(options.threads),
+                                "--resume", world_of(seed, options, folder)],
+                               stdout=subprocess.PIPE, text=True)
+    memory = [resident_memory(process) for _ in itertools.islice(process.stdout, 2 * SETTLED)]
+    process.send_signal(signal.SIGINT)
+    process.communicate()
+    assert process.returncode == 0, f"seed {seed}: the program ended by itself when it went on"
+    return min(memory[SETTLED:])
+
+
 def run(seed, options):
-    """Runs one world. Returns the last line of the program and the memory at each."""
+    """Runs one world. Returns the last line of the program, the memory at each line, and that of
+    another program that goes on with the world."""
     with tempfile.TemporaryDirectory() as name:
         begun = time.monotonic()
         process = subprocess.Popen(command_of(seed, options, pathlib.Path(name)),
@@ -122,15 +143,18 @@ def run(seed, options):
         asked = int(3600 * options.hours / ROW)
         assert options.clock_hours or line["time"] >= ROW * asked, f"seed {seed}: it ended too early"
         print(f"# seed {seed}: {total} J at each of {len(memory)} looks", flush=True)
-        return line, memory
+        return line, memory, resumed_memory(seed, options, pathlib.Path(name))
 
 
-def check_memory(seed, memory):
+def check_memory(seed, memory, resumed):
     quarter = len(memory) // 4
     early, late = min(memory[quarter:2 * quarter]), min(memory[-quarter:])
     print(f"# seed {seed}: {early / 1e6:.1f} MB in the second quarter, {late / 1e6:.1f} MB in the "
           "last")
-    return late < early * GROWTH
+    end = min(memory[-SETTLED:])
+    print(f"# seed {seed}: {end / 1e6:.1f} MB at the end, {resumed / 1e6:.1f} MB in a program that "
+          "goes on with it")
+    return end < resumed * GROWTH
 
 
 def main():
@@ -149,8 +173,8 @@ def main():
     print(COLUMNS)
     flat, alive = True, 0
     for seed in options.seeds:
-        last, memory = run(seed, options)
-        flat = check_memory(seed, memory) and flat
+        last, memory, resumed = run(seed, options)
+        flat = check_memory(seed, memory, resumed) and flat
         alive += last["population"] > 0
     print(f"# {alive} of {len(options.seeds)} worlds are alive")
     if not flat:
