@@ -1,6 +1,7 @@
 #include "preserve/chronicle.h"
 
 #include <iterator>
+#include <utility>
 
 namespace cambrian {
 namespace {
@@ -18,6 +19,7 @@ void append(Chronicle& all, Chronicle later) {
     move_to(all.series, later.series);
     move_to(all.interventions, later.interventions);
     move_to(all.museum, later.museum);
+    if (later.snapshot) all.snapshot = std::move(later.snapshot);
 }
 
 }  // namespace cambrian

@@ -8,10 +8,13 @@
 #include "preserve/series.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace cambrian {
+
+struct PreserveState;
 
 // What people may do to a preserve between two ticks, and what it does by itself that is no birth
 // and no death (preserve/README.md 8).
@@ -46,6 +49,8 @@ struct Chronicle {
     std::vector<SeriesRow> series;
     std::vector<Intervention> interventions;
     std::vector<MuseumPiece> museum;  // a creature may come into it again for the same reason
+    // The last that was taken, from which the preserve itself went on; null if none was.
+    std::shared_ptr<const PreserveState> snapshot;
 };
 
 // Adds what happened later.

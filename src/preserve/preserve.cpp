@@ -79,7 +79,7 @@ Result<std::unique_ptr<Preserve>> Preserve::begin(SettingsPtr settings, const Ev
     std::unique_ptr<Preserve> preserve(
         new Preserve(std::move(settings), kinds, std::move(founders)));
     if (Status founded = preserve->found(); !founded) return founded.error();
-    preserve->snapshot_ = std::make_shared<const PreserveState>(preserve->save());
+    preserve->take_snapshot();
     return preserve;
 }
 
@@ -91,7 +91,7 @@ Result<std::unique_ptr<Preserve>> Preserve::resume(SettingsPtr settings,
         new Preserve(std::move(settings), kinds, std::move(founders)));
     if (laws) preserve->laws_ = std::move(laws);
     if (Status restored = preserve->restore(state); !restored) return restored.error();
-    preserve->snapshot_ = std::make_shared<const PreserveState>(state);
+    preserve->snapshot_tick_ = state.tick;
     return preserve;
 }
 
@@ -648,10 +648,15 @@ void Preserve::record() {
     if (tick_ % kTicksPerSnapshot == 0) rest();
 }
 
+void Preserve::take_snapshot() {
+    chronicle_.snapshot = std::make_shared<const PreserveState>(save());
+    snapshot_tick_ = tick_;
+}
+
 // Takes a snapshot and goes on from it.
 void Preserve::rest() {
-    snapshot_ = std::make_shared<const PreserveState>(save());
-    const Status restored = restore(*snapshot_);
+    take_snapshot();
+    const Status restored = restore(*chronicle_.snapshot);
     CAMBRIAN_ASSERT(restored.has_value(), "a snapshot of this preserve");
     release_unused_memory();
 }

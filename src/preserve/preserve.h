@@ -72,8 +72,8 @@ public:
     SolidCounts solid_counts() const;
 
     PreserveState save() const;
-    // The state at the last rest or multiple of 60 s. The preserve itself went on from it.
-    const std::shared_ptr<const PreserveState>& snapshot() const { return snapshot_; }
+    // The tick of the last snapshot, which is taken at each rest and multiple of 60 s.
+    std::uint64_t snapshot_tick() const { return snapshot_tick_; }
     Chronicle take_chronicle();
 
 private:
@@ -89,6 +89,7 @@ private:
     void use_laws(SettingsPtr laws);
     Status make_way(const DrawnWalls& walls);
     void use_walls(std::vector<WallLine> lines);
+    void take_snapshot();
     void rest();
     bool adds_up(const PreserveState& state) const;
     Status restore(const PreserveState& state);
@@ -160,7 +161,7 @@ private:
     std::uint64_t restocked_ = 0;
     Tally tally_;
     Chronicle chronicle_;
-    std::shared_ptr<const PreserveState> snapshot_;
+    std::uint64_t snapshot_tick_ = 0;
     Meetings meetings_;
     std::unique_ptr<SolidBodies> solid_;  // if bodies are solid
     std::vector<Bounds> bounds_;

@@ -180,7 +180,7 @@ inline std::vector<Intervention> repeated_from(const std::filesystem::path& path
         REQUIRE(repeat(**replayed, left));
         if (!left.empty()) run_to(**replayed, (*replayed)->ticks() + 1);
     }
-    CHECK(digest_of(words_of(*(*replayed)->snapshot())) == to.digest);
+    CHECK(digest_of(words_of((*replayed)->save())) == to.digest);
     return all;
 }
 

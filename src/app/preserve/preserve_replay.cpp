@@ -26,7 +26,7 @@ Result<std::optional<std::uint64_t>> digest_after(const std::string& file,
     });
     if (!reached) return reached.error();
     if (!*reached) return std::optional<std::uint64_t>();
-    return std::optional(digest_of(words_of(*world->preserve().snapshot())));
+    return std::optional(digest_of(words_of(world->preserve().save())));
 }
 
 std::string seconds_text(std::uint64_t tick) {

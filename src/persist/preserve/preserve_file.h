@@ -77,8 +77,7 @@ public:
     // removed, since it will be computed again.
     static Result<Opened> open(const std::filesystem::path& path, const EvolutionKinds& kinds);
 
-    // Writes what happened and, if the preserve is at a snapshot, that snapshot. It is on the disk
-    // when this returns.
+    // Writes what happened, and the snapshot if one was taken. It is on the disk when this returns.
     Status write(const Chronicle& chronicle, const Preserve& preserve) override;
     Status keep_pins(const Pins& pins) override;
     std::vector<std::uint64_t> snapshots() const override { return snapshots_; }

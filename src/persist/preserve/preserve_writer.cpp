@@ -186,9 +186,9 @@ void PreserveWriter::write(const Chronicle& chronicle, const Preserve& preserve)
                               each.to_y);
     for (const MuseumPiece& piece : chronicle.museum)
         put_piece_.run(piece.number, piece.reason, piece.tick, piece.count);
-    if (preserve.snapshot()->tick != preserve.ticks()) return;
-    put_snapshot(*preserve.snapshot());
-    thin_snapshots(preserve.ticks());
+    if (!chronicle.snapshot) return;
+    put_snapshot(*chronicle.snapshot);
+    thin_snapshots(chronicle.snapshot->tick);
 }
 
 void PreserveWriter::put_pins(const Pins& pins) {

@@ -126,7 +126,7 @@ void PreserveEngine::keep() {
     const Preserve& preserve = *start_.preserve;
     if (!start_.log || shown_.broken) return;
     const bool changed =
-        preserve.snapshot()->tick != preserve.ticks() || !unwritten_.interventions.empty();
+        preserve.snapshot_tick() != preserve.ticks() || !unwritten_.interventions.empty();
     if (changed) {
         static_cast<void>(start_.preserve->intervene({.what = intervention::kRest}));
         take_chronicle();

@@ -20,7 +20,7 @@ public:
     PreserveLog(const PreserveLog&) = delete;
     PreserveLog& operator=(const PreserveLog&) = delete;
 
-    // Writes what happened since the last call and, if the preserve is at a snapshot, the snapshot.
+    // Writes what happened since the last call, and the snapshot if one was taken.
     virtual Status write(const Chronicle& chronicle, const Preserve& preserve) = 0;
     // Replaces the pins that it has.
     virtual Status keep_pins(const Pins& pins) = 0;
