@@ -10,8 +10,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kGridPixels = 22.0;  // least distance of grid lines
-constexpr double kNodeHueStep = 0.055;
+constexpr double kGridPixels = 22.0;    // least distance of grid lines
 constexpr double kPivotRadius = 0.028;  // m; largest radius of a drawn joint
 const Color kLightColor = color_of(0xF2B632);
 
@@ -90,6 +89,14 @@ void add_horizontal(SceneFrame& frame, double y, const WorldWindow& window, doub
                   {0.5 * (window.high.x() - window.low.x()), 0.5 * pixel}, color);
 }
 
+// Returns where in the spread of hues a gene node is, -0.5 to 0.5: the first in the middle, and
+// nodes that follow each other far apart, by the golden ratio.
+double hue_place(std::uint8_t node) {
+    constexpr double kGoldenShare = 0.6180339887498949;
+    const double turned = 0.5 + kGoldenShare * node;
+    return turned - std::floor(turned) - 0.5;
+}
+
 }  // namespace
 
 double mark_spacing(const Camera& camera, double least_pixels) {
@@ -103,7 +110,8 @@ double mark_spacing(const Camera& camera, double least_pixels) {
 
 Color part_color(const BodyPart& part, double hue) {
     const double lightness = std::min(0.80, 0.66 + 0.03 * part.depth);
-    const double turned = hue + kNodeHueStep * part.node;
+    constexpr double kHueSpread = 0.15;  // turns, of all gene nodes of a creature
+    const double turned = hue + kHueSpread * hue_place(part.node);
     return color_of_hue(turned, part.handedness < 0 ? lightness - 0.04 : lightness, 0.105);
 }
 
