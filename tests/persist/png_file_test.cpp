@@ -2,8 +2,6 @@
 
 #include "support/catch.h"
 
-#include <png.h>
-
 namespace cambrian {
 namespace {
 
@@ -14,28 +12,17 @@ Image colorful(int width, int height) {
     return image;
 }
 
-// Decodes with libpng's simplified reader.
-Image decode(const std::string& bytes) {
-    png_image reading{};
-    reading.version = PNG_IMAGE_VERSION;
-    REQUIRE(png_image_begin_read_from_memory(&reading, bytes.data(), bytes.size()) != 0);
-    reading.format = PNG_FORMAT_RGB;
-    Image image{static_cast<int>(reading.width), static_cast<int>(reading.height), {}};
-    image.rgb.resize(PNG_IMAGE_SIZE(reading));
-    REQUIRE(png_image_finish_read(&reading, nullptr, image.rgb.data(), 0, nullptr) != 0);
-    return image;
-}
-
 TEST_CASE("a picture comes back from PNG with every pixel", "[persist][png_file]") {
     const Image image = colorful(31, 17);
     for (const auto& texts : {std::vector<PngText>{}, {{"key", "words"}}}) {
         const auto bytes = encode_png(image, texts);
         REQUIRE(bytes);
         CHECK(is_png(*bytes));
-        const Image back = decode(*bytes);
-        CHECK(back.width == 31);
-        CHECK(back.height == 17);
-        CHECK(back.rgb == image.rgb);
+        const auto back = decode_png(*bytes);
+        REQUIRE(back);
+        CHECK(back->width == 31);
+        CHECK(back->height == 17);
+        CHECK(back->rgb == image.rgb);
     }
 }
 
@@ -53,12 +40,21 @@ TEST_CASE("a picture nobody can encode is an error", "[persist][png_file]") {
 }
 
 TEST_CASE("a picture cut off anywhere is an error", "[persist][png_file]") {
+    constexpr std::size_t kEndChunk = 12;  // bytes of the empty chunk after the pixels
     const std::string whole = encode_png(colorful(9, 9), {{"a", "words"}}).value();
     for (std::size_t size = 0; size < whole.size(); ++size) {
         INFO(size);
         CHECK_FALSE(png_texts(std::string_view(whole).substr(0, size), "a"));
+        if (size + kEndChunk < whole.size())
+            CHECK_FALSE(decode_png(std::string_view(whole).substr(0, size)));
     }
     CHECK(png_texts(whole, "a"));
+}
+
+TEST_CASE("a picture with too many pixels is not decoded", "[persist][png_file]") {
+    const std::string whole = encode_png(colorful(30, 20)).value();
+    CHECK(decode_png(whole, 30));
+    CHECK_THAT(decode_png(whole, 29).error().message, Catch::Contains("at most 29"));
 }
 
 TEST_CASE("a flipped bit anywhere is an error", "[persist][png_file]") {

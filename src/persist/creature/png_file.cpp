@@ -4,6 +4,8 @@
 
 #include "persist/creature/png_file.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <csetjmp>
@@ -143,6 +145,27 @@ Result<std::string> encode_png(const Image& image, const std::vector<PngText>& t
     if (write_whole(writer, image, chunks.data(), static_cast<int>(chunks.size()), bytes))
         return bytes;
     return Error{std::string("the picture cannot be encoded: ") + writer.fault.words.data()};
+}
+
+Result<Image> decode_png(std::string_view bytes, int most_pixels) {
+    png_image picture{};
+    picture.version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_memory(&picture, bytes.data(), bytes.size()) == 0)
+        return Error{picture.message};
+    const auto most = static_cast<png_uint_32>(most_pixels);
+    if (picture.width > most || picture.height > most) {
+        png_image_free(&picture);
+        return Error{fmt::format("it has {} x {} pixels; expected at most {} on each side",
+                                 picture.width, picture.height, most)};
+    }
+    picture.format = PNG_FORMAT_RGB;
+    Image image{.width = static_cast<int>(picture.width),
+                .height = static_cast<int>(picture.height),
+                .rgb = std::vector<std::uint8_t>(PNG_IMAGE_SIZE(picture))};
+    constexpr png_color kWhite = {255, 255, 255};
+    if (png_image_finish_read(&picture, &kWhite, image.rgb.data(), 0, nullptr) == 0)
+        return Error{picture.message};
+    return image;
 }
 
 bool is_png(std::string_view bytes) {

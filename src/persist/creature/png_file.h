@@ -21,6 +21,10 @@ struct PngText {
 // Returns the bytes of a PNG file. Texts come before the pixels and are compressed.
 Result<std::string> encode_png(const Image& image, const std::vector<PngText>& texts = {});
 
+// Returns the pixels of a picture on white, without its transparency. Fails with libpng's message
+// if it is damaged, or if a side is longer than `most_pixels`.
+Result<Image> decode_png(std::string_view bytes, int most_pixels = 4096);
+
 // Returns whether a file that begins with these bytes is a PNG picture.
 bool is_png(std::string_view bytes);
 

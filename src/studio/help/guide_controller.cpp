@@ -2,6 +2,7 @@
 
 #include "studio/help/tour.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace cambrian {
@@ -12,13 +13,15 @@ struct GuideController::Handler {
 
     void operator()(const ToggleHelp&) const {
         self.facts_.help_shown = !self.facts_.help_shown;
-        if (self.facts_.help_shown)
-            self.services_.feedback.log().write("help", {{"page", self.help_.open}});
+        if (!self.facts_.help_shown) return;
+        self.services_.feedback.log().write("help", {{"page", self.help_.open}});
+        self.show_pictures();
     }
     void operator()(const ShowHelp& request) const {
         self.help_.open = request.page;
         self.facts_.help_shown = true;
         self.services_.feedback.log().write("help", {{"page", request.page}});
+        self.show_pictures();
     }
     void operator()(const TurnTour& request) const {
         const bool over = request.step < 0 || request.step >= static_cast<int>(tour_steps().size());
@@ -30,9 +33,28 @@ struct GuideController::Handler {
 };
 
 void GuideController::read(const std::filesystem::path& folder, std::string keys) {
+    folder_ = folder;
     services_.worker.submit([this, folder, keys = std::move(keys)](const std::stop_token&) {
         auto pages = read_help(folder, keys);
-        return [this, pages = std::move(pages)] { help_.pages = pages; };
+        return [this, pages = std::move(pages)] {
+            help_.pages = pages;
+            if (facts_.help_shown) show_pictures();
+        };
+    });
+}
+
+// Reads the pictures of the open page in the background, unless it has them already.
+void GuideController::show_pictures() {
+    const HelpPage* page = help_.open_page();
+    if (page == nullptr) return;
+    const bool is_complete =
+        std::none_of(page->blocks.begin(), page->blocks.end(), [](const MarkdownBlock& block) {
+            return block.kind == BlockKind::kPicture && !block.picture;
+        });
+    if (is_complete) return;
+    services_.worker.submit([this, folder = folder_, page = *page](const std::stop_token&) {
+        auto pictures = read_pictures(folder, page);
+        return [this, pictures = std::move(pictures)] { add_pictures(help_, pictures); };
     });
 }
 

@@ -26,9 +26,11 @@ public:
 
 private:
     struct Handler;
+    void show_pictures();
 
     Services services_;
     ViewState& view_;
+    std::filesystem::path folder_;
     HelpIndex help_;
     GuideView facts_;
 };

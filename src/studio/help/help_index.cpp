@@ -2,6 +2,7 @@
 
 #include "core/files/file_io.h"
 #include "core/text/pretty_text.h"
+#include "persist/creature/png_file.h"
 
 #include <algorithm>
 #include <system_error>
@@ -10,6 +11,7 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kMostPageBytes = 1'000'000;
+constexpr std::size_t kMostPictureBytes = 20'000'000;
 
 constexpr const char* kFirstSteps = R"(# First steps
 
@@ -89,7 +91,33 @@ std::vector<HelpPage> read_folder(const std::filesystem::path& folder) {
     return pages;
 }
 
+bool is_page(const std::vector<HelpPage>& pages, const std::string& link) {
+    const std::filesystem::path path(link.substr(0, link.find('#')));
+    return path.extension() == ".md" &&
+           std::any_of(pages.begin(), pages.end(),
+                       [&](const HelpPage& page) { return page.name == path.stem().string(); });
+}
+
+// Only links to pages can be followed; those to other files become their names.
+void name_other_files(std::vector<HelpPage>& pages) {
+    for (HelpPage& page : pages) {
+        for (MarkdownBlock& block : page.blocks) {
+            for (TextSpan& span : block.line) {
+                if (span.link.empty() || is_page(pages, span.link)) continue;
+                span.text += " (" + span.link + ")";
+                span.link.clear();
+            }
+        }
+    }
+}
+
 }  // namespace
+
+const HelpPage* HelpIndex::open_page() const {
+    const auto page = std::find_if(pages.begin(), pages.end(),
+                                   [&](const HelpPage& each) { return each.name == open; });
+    return page == pages.end() ? nullptr : &*page;
+}
 
 HelpPage help_page(const std::string& name, std::string_view text) {
     HelpPage page{name, capitalized(name), parse_markdown(text)};
@@ -106,7 +134,33 @@ std::vector<HelpPage> read_help(const std::filesystem::path& folder, std::string
     for (HelpPage& page : read_folder(folder))
         pages.push_back(std::move(page));
     pages.push_back(help_page(kAboutPage, kAbout));
+    name_other_files(pages);
     return pages;
+}
+
+std::vector<HelpPicture> read_pictures(const std::filesystem::path& folder, const HelpPage& page) {
+    std::vector<HelpPicture> pictures;
+    for (const MarkdownBlock& block : page.blocks) {
+        if (block.kind != BlockKind::kPicture) continue;
+        const auto bytes = read_file(folder / block.target, kMostPictureBytes);
+        if (!bytes || !is_png(*bytes)) continue;
+        Result<Image> image = decode_png(*bytes);
+        if (!image) continue;
+        pictures.push_back(
+            {page.name, block.target, std::make_shared<const Image>(*std::move(image))});
+    }
+    return pictures;
+}
+
+void add_pictures(HelpIndex& index, const std::vector<HelpPicture>& pictures) {
+    for (HelpPage& page : index.pages) {
+        for (MarkdownBlock& block : page.blocks) {
+            for (const HelpPicture& each : pictures) {
+                if (each.page == page.name && each.target == block.target)
+                    block.picture = each.image;
+            }
+        }
+    }
 }
 
 }  // namespace cambrian

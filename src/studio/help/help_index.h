@@ -21,17 +21,33 @@ struct HelpPage {
     std::vector<MarkdownBlock> blocks;
 };
 
-// Parses a page's text. Its title is the first heading or, without one, the name.
+// Parses a page's text. Its title is the first heading or, without one, the name. Its pictures are
+// not read.
 HelpPage help_page(const std::string& name, std::string_view text);
+
+// A picture of a page.
+struct HelpPicture {
+    std::string page;    // name
+    std::string target;  // file
+    std::shared_ptr<const Image> image;
+};
 
 struct HelpIndex {
     std::vector<HelpPage> pages;  // in the order in which they are listed
     std::string open = kFirstStepsPage;
+
+    // Returns the page that is open; null if there is none of that name.
+    const HelpPage* open_page() const;
 };
 
 // Returns the page of first steps, the page of keys, the folder's pages by title, and the page on
 // the program's components. `keys` is the text of the page of keys. Files that cannot be read are
 // left out.
 std::vector<HelpPage> read_help(const std::filesystem::path& folder, std::string_view keys);
+
+// Returns the pictures of a page that are in files *.png of the folder and can be read.
+std::vector<HelpPicture> read_pictures(const std::filesystem::path& folder, const HelpPage& page);
+// Gives pictures to the blocks of their pages.
+void add_pictures(HelpIndex& index, const std::vector<HelpPicture>& pictures);
 
 }  // namespace cambrian

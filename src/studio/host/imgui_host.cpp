@@ -30,6 +30,7 @@ ImGuiHost::ImGuiHost(Window& window, float scale, ThemeKind theme) : window_(win
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     context_.scale = scale;
     context_.fonts = load_fonts(scale);
+    context_.texture_of = [this](const auto& picture) { return textures_.of(picture); };
     set_theme(theme);
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     ImGui_ImplOpenGL3_Init("#version 330 core");

@@ -6,6 +6,7 @@
 #include "render/opengl/pixels.h"
 #include "render/picture_stamp.h"
 #include "studio/host/changed_areas.h"
+#include "studio/host/textures.h"
 #include "studio/look/ui_context.h"
 
 #include <functional>
@@ -37,6 +38,7 @@ public:
 private:
     Window& window_;
     UiContext context_;
+    Textures textures_;
     PictureStamp stamp_;
     ChangedAreas changed_;
 };

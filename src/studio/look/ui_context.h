@@ -3,11 +3,14 @@
 // The state that all controls share besides Dear ImGui's: theme, scale and positions of controls.
 // ImGui's io.UserData points to it, so that drawing code needs no global variable.
 
+#include "core/image.h"
 #include "studio/look/theme.h"
 
 #include <imgui.h>
 
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -56,6 +59,8 @@ struct UiContext {
     ImVec2 hovered = {-1.0F, -1.0F};
     double hovered_since = 0.0;
     std::optional<TypedNumber> typed;
+    // Returns a picture's texture; empty where nothing is painted.
+    std::function<ImTextureID(const std::shared_ptr<const Image>&)> texture_of;
 };
 
 UiContext& ui();

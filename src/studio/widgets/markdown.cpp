@@ -72,7 +72,7 @@ public:
             add_heading(bare);
         } else if (bare.starts_with('|')) {
             add_row(bare);
-        } else if (!bare.starts_with("![")) {
+        } else if (!take_picture(bare)) {
             add_text(line, bare);
         }
     }
@@ -85,7 +85,10 @@ private:
     // Ends the present paragraph or bullet.
     void finish() {
         if (!text_.empty()) {
-            blocks_.push_back({kind_, level_, parse_spans(text_), {}, {}});
+            MarkdownBlock& block = blocks_.emplace_back();
+            block.kind = kind_;
+            block.level = level_;
+            block.line = parse_spans(text_);
             text_.clear();
         }
         whole_ = true;
@@ -96,7 +99,7 @@ private:
     void add_code(std::string_view line) {
         if (!goes_on(BlockKind::kCode)) {
             finish();
-            blocks_.push_back({.kind = BlockKind::kCode, .line = {}, .code = {}, .rows = {}});
+            blocks_.emplace_back().kind = BlockKind::kCode;
         } else {
             blocks_.back().code += '\n';
         }
@@ -106,22 +109,33 @@ private:
     void add_heading(std::string_view bare) {
         finish();
         const std::size_t level = std::min(bare.find_first_not_of('#'), bare.size());
-        blocks_.push_back({BlockKind::kHeading,
-                           static_cast<int>(level),
-                           parse_spans(trimmed(bare.substr(level))),
-                           {},
-                           {}});
+        MarkdownBlock& heading = blocks_.emplace_back();
+        heading.kind = BlockKind::kHeading;
+        heading.level = static_cast<int>(level);
+        heading.line = parse_spans(trimmed(bare.substr(level)));
     }
     void add_row(std::string_view bare) {
         if (is_rule(bare)) return;
         if (!goes_on(BlockKind::kTable)) {
             finish();
-            blocks_.push_back({.kind = BlockKind::kTable, .line = {}, .code = {}, .rows = {}});
+            blocks_.emplace_back().kind = BlockKind::kTable;
         }
         auto& rows = blocks_.back().rows;
         rows.push_back(cells_of(bare));
         if (rows.size() == 1) embolden(rows.front());
         whole_ = false;
+    }
+    // Takes a line that is "![what it shows](file)". Returns false if it is not.
+    bool take_picture(std::string_view bare) {
+        if (!bare.starts_with("![") || !bare.ends_with(')')) return false;
+        const std::size_t middle = bare.find("](");
+        if (middle == std::string_view::npos) return false;
+        finish();
+        MarkdownBlock& picture = blocks_.emplace_back();
+        picture.kind = BlockKind::kPicture;
+        picture.line = parse_spans(bare.substr(2, middle - 2));
+        picture.target = bare.substr(middle + 2, bare.size() - middle - 3);
+        return true;
     }
     void add_text(std::string_view line, std::string_view bare) {
         if (is_bullet(bare)) {

@@ -165,6 +165,24 @@ std::string draw_table(const MarkdownBlock& table) {
     return pressed;
 }
 
+// Draws a picture no wider than the page or, if it cannot be shown, what it would show.
+std::string draw_picture(const MarkdownBlock& block) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (block.picture && ui().texture_of) {
+        const auto wide = static_cast<float>(block.picture->width);
+        const float shown = std::min(wide, width);
+        ImGui::Image(ui().texture_of(block.picture),
+                     {shown, shown * static_cast<float>(block.picture->height) / wide});
+        return {};
+    }
+    SpanLine line = {{"Picture, not shown here: ", SpanLook::kPlain, {}}};
+    line.insert(line.end(), block.line.begin(), block.line.end());
+    line.push_back({" (", SpanLook::kPlain, {}});
+    line.push_back({block.target, SpanLook::kCode, {}});
+    line.push_back({")", SpanLook::kPlain, {}});
+    return draw_line(line, width);
+}
+
 std::string draw_block(const MarkdownBlock& block, bool first) {
     switch (block.kind) {
         case BlockKind::kHeading:
@@ -177,9 +195,11 @@ std::string draw_block(const MarkdownBlock& block, bool first) {
             draw_code(block.code);
             return {};
         case BlockKind::kTable:
+            return draw_table(block);
+        case BlockKind::kPicture:
             break;
     }
-    return draw_table(block);
+    return draw_picture(block);
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
+#include "core/files/file_io.h"
 #include "studio/help/help_index.h"
 #include "studio/panels/cards/help_panel.h"
 #include "studio/shortcuts.h"
 #include "studio_fixture.h"
 #include "support/null_imgui.h"
+#include "support/temporary_directory.h"
 
 #include <algorithm>
 
@@ -41,6 +43,19 @@ TEST_CASE("the help index has the built-in pages and those of the folder", "[stu
     CHECK(page_named(pages, "viewport").title == "Viewport");
     CHECK(says(page_named(pages, kAboutPage), "Dear ImGui"));
     CHECK(read_help("/no/such/folder", keys_text()).size() == 3);
+}
+
+TEST_CASE("links to files that are no pages are told by name", "[studio][help]") {
+    const TemporaryDirectory folder;
+    REQUIRE(write_file(folder.path() / "a.md",
+                       "# A\n\n[runs](runs.csv), [no page](part.md), [itself](a.md#b).\n"));
+    REQUIRE(write_file(folder.path() / "part.md", "## No title\n"));
+    const auto pages = read_help(folder.path(), keys_text());
+    const SpanLine& line = page_named(pages, "a").blocks.at(1).line;
+    REQUIRE(line.size() == 6);
+    CHECK(line[0] == TextSpan{"runs (runs.csv)", SpanLook::kPlain, ""});
+    CHECK(line[2].text == "no page (part.md)");
+    CHECK(line[4] == TextSpan{"itself", SpanLook::kPlain, "a.md#b"});
 }
 
 TEST_CASE("every key is on the page of keys", "[studio][help]") {

@@ -6,7 +6,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <filesystem>
 
 namespace cambrian {
@@ -54,12 +53,10 @@ void HelpPanel::draw(const FrameContext& frame, Requests& out) {
     ImGui::BeginChild("page", {0, 0}, false, ImGuiWindowFlags_NoBackground);
     if (seen_ != index.open) ImGui::SetScrollY(0.0F);
     seen_ = index.open;
-    const auto page = std::find_if(index.pages.begin(), index.pages.end(),
-                                   [&](const HelpPage& each) { return each.name == index.open; });
-    if (page == index.pages.end()) {
-        muted_text(fmt::format("There is no page called \"{}\" in the help folder.", index.open));
-    } else {
+    if (const HelpPage* page = index.open_page()) {
         follow(draw_markdown(page->blocks), out);
+    } else {
+        muted_text(fmt::format("There is no page called \"{}\" in the help folder.", index.open));
     }
     ImGui::EndChild();
 }
