@@ -18,32 +18,7 @@ namespace {
 constexpr std::uint64_t kPlantsOfAMeal = 10;
 constexpr double kMealRadius = 0.6;  // m
 constexpr const char* kNoRoom = "There is no room: other creatures are in the way.";
-constexpr double kEraseDistance = 0.5;       // m; from a wall
-constexpr double kGoldenTurn = 2.399963230;  // rad, between two plants of a spiral
-
-// Returns the place nearest to the one asked for at which a circle is between the walls; where
-// edges meet, its image in the area.
-Vec3 place_between_walls(const WorldArea& area, const Vec3& asked, double radius) {
-    const double x = std::max(0.5 * area.width - radius, 0.0);
-    const double y = std::max(0.5 * area.height - radius, 0.0);
-    const Vec3 middle = area.middle();
-    Vec3 place = area.torus().shortest(asked);
-    if (area.has_sides()) place.x() = std::clamp(place.x(), -x, x);
-    if (area.has_top()) place.y() = std::clamp(place.y(), middle.y() - y, middle.y() + y);
-    return place;
-}
-
-// Returns how far the next place to look for room is from the first one, for a circle: on a spiral
-// or, on ground, to both sides in turn.
-Vec3 next_place(const WorldArea& area, double radius, int index) {
-    if (area.has_ground) {
-        const double side = index % 2 == 0 ? 0.25 : -0.25;
-        return {side * radius * (index + index % 2), 0.0, 0.0};
-    }
-    const SineCosine turn = sine_cosine(kGoldenTurn * static_cast<double>(index));
-    const double distance = radius * std::sqrt(static_cast<double>(index));
-    return distance * Vec3(turn.cosine, turn.sine, 0.0);
-}
+constexpr double kEraseDistance = 0.5;  // m; from a wall
 
 std::string joules_text(Energy energy) {
     return measured(joules(energy), "J");
@@ -86,9 +61,9 @@ Result<std::uint64_t> Preserve::carry_out(const Intervention& asked) {
     if (found == residents_.end())
         return Error{fmt::format("creature {} is not alive", asked.number)};
     if (asked.what == intervention::kMove) {
-        const std::optional<Vec3> room = room_near(place, **found, {walls_});
-        if (!room) return Error{kNoRoom};
-        (*found)->place(*room, Vec3::Zero());
+        const std::optional<Vec3> free = room().nearest(place, **found);
+        if (!free) return Error{kNoRoom};
+        (*found)->place(*free, Vec3::Zero());
         return asked.number;
     }
     if (asked.what != intervention::kRemove)
@@ -111,27 +86,6 @@ void Preserve::use_laws(SettingsPtr laws) {
     laws_ = std::move(laws);
     for (const auto& each : residents_)
         each->scene().set_environment(laws_->world.environment);
-}
-
-// Returns the first place with room, between the walls, from the one asked for outwards.
-std::optional<Vec3> Preserve::room_near(const Vec3& asked, const Resident& resident,
-                                        const Room& room) const {
-    constexpr int kPlaces = 64;
-    for (int i = 0; i < kPlaces; ++i) {
-        const Vec3 place =
-            footing(place_between_walls(area_, asked + next_place(area_, resident.radius(), i),
-                                        resident.radius()),
-                    resident);
-        const Vec3 shift = place - resident.center();
-        const Bounds bounds = moved(resident.bounds(), shift);
-        const bool is_taken =
-            solid_ && std::any_of(room.taken.begin(), room.taken.end(), [&](const Bounds& other) {
-                return overlap(other, bounds, area_.torus());
-            });
-        if (!is_taken && !room.walls.meet(bounds) && is_free_of_others(bounds, resident))
-            return place;
-    }
-    return std::nullopt;
 }
 
 // Adds plants around a place, which the light pays. Returns their number.
@@ -174,9 +128,10 @@ Status Preserve::make_way(const DrawnWalls& walls) {
     std::vector<Resident*> movers;
     std::vector<Vec3> places;
     std::vector<Bounds> taken;
+    const Room room(area_, walls, residents_, solid_ != nullptr);
     for (const auto& each : residents_) {
         if (!walls.meet(each->rectangles())) continue;
-        const std::optional<Vec3> place = room_near(each->center(), *each, {walls, taken});
+        const std::optional<Vec3> place = room.nearest(each->center(), *each, taken);
         if (!place) return Error{"There is no room for the creatures in the way of this wall."};
         movers.push_back(each.get());
         places.push_back(*place);
@@ -216,7 +171,7 @@ Result<std::uint64_t> Preserve::admit(const GenomePtr& genome, const Vec3& place
     if (!resident.can_move())
         return Error{
             "The creature cannot live here: none of its joints follows more than constants."};
-    const std::optional<Vec3> center = room_near(place, resident, {walls_});
+    const std::optional<Vec3> center = room().nearest(place, resident);
     if (!center) return Error{kNoRoom};
     if (!area_.holds(*center, resident.radius()))
         return Error{"The creature is too large for the world."};

@@ -16,7 +16,6 @@
 namespace cambrian {
 namespace {
 
-constexpr int kBirthPlaces = 16;                // around a parent
 constexpr std::uint64_t kTicksPerRot = 6;       // 0.1 s
 constexpr std::uint64_t kTicksPerRestock = 60;  // 1 s
 constexpr int kPlaceDraws = 20;                 // for a newcomer between the walls
@@ -186,13 +185,14 @@ Result<std::unique_ptr<Resident>> Preserve::newcomer(std::size_t place, std::str
     for (int draw = 0; draw < (is_crowded ? kCrowdedPlaceDraws : kPlaceDraws); ++draw) {
         const double x = area_.width * (draws.uniform() - 0.5);
         const double y = area_.height * (draws.uniform() - 0.5);
-        resident.place(footing(Vec3(x, y, 0.0), resident), Vec3::Zero());
+        resident.place(room().footing(Vec3(x, y, 0.0), resident), Vec3::Zero());
         if (!area_.holds(resident.center(), resident.radius())) continue;
-        if (is_free(resident.bounds(), resident)) return grown;
+        if (room().is_free(resident.bounds(), resident)) return grown;
         fits = true;
     }
-    resident.place(footing(Vec3::Zero(), resident), Vec3::Zero());
-    if (area_.holds(resident.center(), resident.radius()) && is_free(resident.bounds(), resident))
+    resident.place(room().footing(Vec3::Zero(), resident), Vec3::Zero());
+    if (area_.holds(resident.center(), resident.radius()) &&
+        room().is_free(resident.bounds(), resident))
         return grown;
     if (fits) {
         return Error{fmt::format(
@@ -413,22 +413,6 @@ void Preserve::make_workspaces(std::size_t workers) {
     }
 }
 
-// Returns the place or, if there is ground, that of the resident standing below it.
-Vec3 Preserve::footing(const Vec3& place, const Resident& resident) const {
-    return area_.has_ground ? resident.standing_at(place.x()) : place;
-}
-
-// Returns whether walls and the other solid bodies leave room for a resident with these bounds.
-bool Preserve::is_free(const Bounds& bounds, const Resident& of) const {
-    return !walls_.meet(bounds) && is_free_of_others(bounds, of);
-}
-
-bool Preserve::is_free_of_others(const Bounds& bounds, const Resident& of) const {
-    return !solid_ || std::none_of(residents_.begin(), residents_.end(), [&](const auto& each) {
-        return each.get() != &of && overlap(each->bounds(), bounds, area_.torus());
-    });
-}
-
 void Preserve::sense() {
     senses_.begin_tick();
     for (const auto& each : residents_)
@@ -539,39 +523,18 @@ void Preserve::try_birth(Resident& parent) {
     bear(parent, std::move(*child), draws);
 }
 
-// Returns a place on a circle around the parent or, on ground, beside it: to both sides in turn,
-// farther and farther away.
-Vec3 Preserve::birth_place(const Resident& parent, const Resident& child,
-                           const BirthTurn& turn) const {
-    const std::size_t which = (turn.first + turn.index) % kBirthPlaces;
-    if (!area_.has_ground) {
-        const double distance = parent.radius() + child.radius();
-        const double share = static_cast<double>(which) / kBirthPlaces;
-        const SineCosine direction = sine_cosine(2.0 * kPi * share);
-        return parent.center() + distance * Vec3(direction.cosine, direction.sine, 0.0);
-    }
-    const Bounds& own = child.bounds();
-    const std::size_t steps = turn.index / 2;
-    const double away =
-        kStartClearance + 0.5 * static_cast<double>(steps) * (own.high.x() - own.low.x());
-    const double x = which % 2 == 0
-                         ? parent.bounds().high.x() + away + child.center().x() - own.low.x()
-                         : parent.bounds().low.x() - away + child.center().x() - own.high.x();
-    return child.standing_at(x);
-}
-
 // Places the child beside its parent, at the first of 16 places between the walls, on the same side
 // of those that were drawn. Where edges meet, it is born in the area, wherever its parent went.
 void Preserve::bear(Resident& parent, std::unique_ptr<Resident> child, RandomStream& stream) {
     const std::size_t first = stream.below(kBirthPlaces);
     const Vec3 velocity = area_.has_ground ? Vec3(Vec3::Zero()) : parent.velocity();
     for (std::size_t i = 0; i < kBirthPlaces; ++i) {
-        const Vec3 center = birth_place(parent, *child, {first, i});
+        const Vec3 center = room().birth_place(parent, *child, {first, i});
         if (!area_.holds(center, child->radius()) || walls_.separate(parent.center(), center))
             continue;
         const Vec3 place = area_.torus().shortest(center);
         child->place(place, velocity);
-        if (!is_free(child->bounds(), *child)) continue;
+        if (!room().is_free(child->bounds(), *child)) continue;
         parent.store -= child->store + child->body;
         ++parent.life.children;
         child->life.x = place.x();

@@ -11,7 +11,7 @@
 #include "evolution/settings/light_patches.h"
 #include "preserve/bodies/solid_bodies.h"
 #include "preserve/chronicle.h"
-#include "preserve/life/offspring.h"
+#include "preserve/life/room.h"
 #include "preserve/series.h"
 #include "preserve/state.h"
 #include "preserve/world/common_senses.h"
@@ -97,18 +97,9 @@ private:
     void live(ThreadPool& pool);
     void move_solid(ThreadPool& pool);
     void make_workspaces(std::size_t workers);
-    bool is_free(const Bounds& bounds, const Resident& of) const;
-    bool is_free_of_others(const Bounds& bounds, const Resident& of) const;
-    // Where a creature may be placed, but for the creatures in the world.
-    struct Room {
-        const DrawnWalls& walls;
-        std::span<const Bounds> taken = {};
-    };
+    Room room() const { return {area_, walls_, residents_, solid_ != nullptr}; }
     bool walls_have_images() const { return area_.torus().meets() && !walls_.lines().empty(); }
     void surround(Resident& resident, const Bounds& bounds) const;
-    Vec3 footing(const Vec3& place, const Resident& resident) const;
-    std::optional<Vec3> room_near(const Vec3& asked, const Resident& resident,
-                                  const Room& room) const;
     void sense();
     void bite();
     void feed();
@@ -117,11 +108,6 @@ private:
     void end_life(Resident& resident, std::uint64_t tick);
     void breed();
     void try_birth(Resident& parent);
-    // One of the places around a parent, of which a turn drawn by chance is the first.
-    struct BirthTurn {
-        std::size_t first = 0, index = 0;
-    };
-    Vec3 birth_place(const Resident& parent, const Resident& child, const BirthTurn& turn) const;
     void bear(Resident& parent, std::unique_ptr<Resident> child, RandomStream& stream);
     void remember_lineage(std::uint64_t lineage);
     void remember_parent();
