@@ -29,9 +29,10 @@ TEST_CASE("a preserve that goes on from a snapshot has the bits of one that neve
     const std::vector<GenomePtr> founders = {eater(0.0), eater(1.0), fish(kind_catalog())};
     const auto uncut = begun(settings, founders);
     run_to(*uncut, kTicksPerSnapshot);
-    const PreserveState snapshot = uncut->save();
-    const std::vector<std::uint64_t> words = words_of(snapshot);
-    const auto state = state_of(words, origins_of(snapshot));
+    const auto snapshot = uncut->take_chronicle().snapshot;
+    REQUIRE(snapshot);
+    const std::vector<std::uint64_t> words = words_of(*snapshot);
+    const auto state = state_of(words, origins_of(*snapshot));
     REQUIRE(state);
     CHECK(words_of(*state) == words);
     const std::uint64_t end = kTicksPerSnapshot + by_build<std::uint64_t>(kTicksPerSnapshot, 600);

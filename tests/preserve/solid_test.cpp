@@ -190,10 +190,11 @@ TEST_CASE("solid creatures that go on from a snapshot have the bits of those tha
     const auto uncut = begun(settings, founders);
     const std::uint64_t end = kTicksPerSnapshot + by_build<std::uint64_t>(900, 300);
     run_to(*uncut, kTicksPerSnapshot);
-    const PreserveState state = uncut->save();
+    const auto snapshot = uncut->take_chronicle().snapshot;
+    REQUIRE(snapshot);
     run_to(*uncut, end);
     const auto resumed = Preserve::resume(std::make_shared<const ExperimentSettings>(settings),
-                                          kinds(), founders, state);
+                                          kinds(), founders, *snapshot);
     REQUIRE(resumed);
     run_to(**resumed, end);
     CHECK((*resumed)->solid_counts().joined_ticks > 100);
