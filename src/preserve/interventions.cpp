@@ -1,7 +1,6 @@
 // What people do to a preserve between two ticks (preserve/README.md 8).
 
 #include "core/text/pretty_text.h"
-#include "math/elementary.h"
 #include "preserve/laws.h"
 #include "preserve/life/feeding.h"
 #include "preserve/preserve.h"
@@ -95,8 +94,7 @@ Result<std::uint64_t> Preserve::serve(const Vec3& place) {
     for (; count < kPlantsOfAMeal && ambient_ >= plant; ++count) {
         const auto index = static_cast<double>(count);
         const double radius = kMealRadius * std::sqrt(index / kPlantsOfAMeal);
-        const SineCosine turn = sine_cosine(kGoldenTurn * index);
-        plants_.add(place + radius * Vec3(turn.cosine, turn.sine, 0.0), plant);
+        plants_.add(place + radius * spiral_direction(index), plant);
         ambient_ -= plant;
     }
     if (count == 0) {

@@ -27,12 +27,17 @@ Vec3 next_place(const WorldArea& area, double radius, int index) {
         const double side = index % 2 == 0 ? 0.25 : -0.25;
         return {side * radius * (index + index % 2), 0.0, 0.0};
     }
-    const SineCosine turn = sine_cosine(kGoldenTurn * static_cast<double>(index));
-    const double distance = radius * std::sqrt(static_cast<double>(index));
-    return distance * Vec3(turn.cosine, turn.sine, 0.0);
+    const auto place = static_cast<double>(index);
+    return radius * std::sqrt(place) * spiral_direction(place);
 }
 
 }  // namespace
+
+Vec3 spiral_direction(double index) {
+    constexpr double kGoldenTurn = 2.399963230;  // rad
+    const SineCosine turn = sine_cosine(kGoldenTurn * index);
+    return {turn.cosine, turn.sine, 0.0};
+}
 
 Vec3 Room::footing(const Vec3& place, const Resident& resident) const {
     return area_.has_ground ? resident.standing_at(place.x()) : place;

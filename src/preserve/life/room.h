@@ -13,8 +13,10 @@
 
 namespace cambrian {
 
-inline constexpr double kGoldenTurn = 2.399963230;  // rad, between two places of a spiral
-inline constexpr int kBirthPlaces = 16;             // around a parent
+inline constexpr int kBirthPlaces = 16;  // around a parent
+
+// Returns the direction, as a unit vector, of a place on a spiral whose places are spread evenly.
+Vec3 spiral_direction(double index);
 
 // One of the places around a parent, of which a turn drawn by chance is the first.
 struct BirthTurn {
