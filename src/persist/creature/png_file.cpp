@@ -147,12 +147,12 @@ Result<std::string> encode_png(const Image& image, const std::vector<PngText>& t
     return Error{std::string("the picture cannot be encoded: ") + writer.fault.words.data()};
 }
 
-Result<Image> decode_png(std::string_view bytes, int most_pixels) {
+Result<Image> decode_png(std::string_view bytes, const PngLimits& limits) {
     png_image picture{};
     picture.version = PNG_IMAGE_VERSION;
     if (png_image_begin_read_from_memory(&picture, bytes.data(), bytes.size()) == 0)
         return Error{picture.message};
-    const auto most = static_cast<png_uint_32>(most_pixels);
+    const auto most = static_cast<png_uint_32>(limits.side);
     if (picture.width > most || picture.height > most) {
         png_image_free(&picture);
         return Error{fmt::format("it has {} x {} pixels; expected at most {} on each side",

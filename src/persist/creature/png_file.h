@@ -21,10 +21,6 @@ struct PngText {
 // Returns the bytes of a PNG file. Texts come before the pixels and are compressed.
 Result<std::string> encode_png(const Image& image, const std::vector<PngText>& texts = {});
 
-// Returns the pixels of a picture on white, without its transparency. Fails with libpng's message
-// if it is damaged, or if a side is longer than `most_pixels`.
-Result<Image> decode_png(std::string_view bytes, int most_pixels = 4096);
-
 // Returns whether a file that begins with these bytes is a PNG picture.
 bool is_png(std::string_view bytes);
 
@@ -33,6 +29,10 @@ struct PngLimits {
     std::size_t text_bytes = 4'000'000;  // bytes of one uncompressed text
     int chunks = 12;  // largest number of text and other extra chunks; bounds their memory
 };
+
+// Returns the pixels of a picture on white, without its transparency. Fails with libpng's message
+// if it is damaged, or if a side is beyond the limits; chunks are not looked at.
+Result<Image> decode_png(std::string_view bytes, const PngLimits& limits = {});
 
 // Returns all texts of a picture under a keyword. It reads the picture to its end, and fails with
 // libpng's message if that is truncated, damaged or beyond the limits.

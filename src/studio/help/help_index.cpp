@@ -141,9 +141,9 @@ std::vector<HelpPage> read_help(const std::filesystem::path& folder, std::string
 std::vector<HelpPicture> read_pictures(const std::filesystem::path& folder, const HelpPage& page) {
     std::vector<HelpPicture> pictures;
     for (const MarkdownBlock& block : page.blocks) {
-        if (block.kind != BlockKind::kPicture) continue;
+        if (block.kind != BlockKind::kPicture || block.picture) continue;
         const auto bytes = read_file(folder / block.target, kMostPictureBytes);
-        if (!bytes || !is_png(*bytes)) continue;
+        if (!bytes) continue;
         Result<Image> image = decode_png(*bytes);
         if (!image) continue;
         pictures.push_back(

@@ -45,7 +45,7 @@ struct HelpIndex {
 // left out.
 std::vector<HelpPage> read_help(const std::filesystem::path& folder, std::string_view keys);
 
-// Returns the pictures of a page that are in files *.png of the folder and can be read.
+// Returns the pictures that a page has not yet and that can be read: PNG files of the folder.
 std::vector<HelpPicture> read_pictures(const std::filesystem::path& folder, const HelpPage& page);
 // Gives pictures to the blocks of their pages.
 void add_pictures(HelpIndex& index, const std::vector<HelpPicture>& pictures);
