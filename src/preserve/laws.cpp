@@ -3,6 +3,7 @@
 #include "core/assert.h"
 #include "core/text/number_text.h"
 #include "core/text/parsed_number.h"
+#include "evolution/settings/goal_defaults.h"
 #include "preserve/replay.h"
 
 #include <fmt/format.h>
@@ -134,6 +135,12 @@ Result<SettingsPtr> laws_at(const SettingsPtr& founding,
                             std::span<const Intervention> interventions, std::uint64_t tick,
                             const EvolutionKinds& kinds) {
     return changed_by(founding, interventions_up_to(interventions, tick), kinds);
+}
+
+SettingsPtr trial_settings(const SettingsPtr& laws, const EvolutionKinds& kinds) {
+    ExperimentSettings settings = *laws;
+    adopt_possible_goal(settings, kinds.goals);
+    return std::make_shared<const ExperimentSettings>(std::move(settings));
 }
 
 }  // namespace cambrian

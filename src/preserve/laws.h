@@ -39,4 +39,8 @@ Result<SettingsPtr> laws_at(const SettingsPtr& founding,
                             std::span<const Intervention> interventions, std::uint64_t tick,
                             const EvolutionKinds& kinds);
 
+// Returns the settings of trials of single creatures of a preserve: its laws, with a goal that is
+// possible in its environment.
+SettingsPtr trial_settings(const SettingsPtr& laws, const EvolutionKinds& kinds);
+
 }  // namespace cambrian

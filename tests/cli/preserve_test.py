@@ -140,7 +140,10 @@ class Preserve(ProgramTest):
                                                (self.folder / "museum").iterdir()))
         for name in names:
             self.assertIn("lineage", name)
-            self.run_well("simulate", f"museum/{name}", "--seconds", 1)
+            world = json.loads((self.folder / "museum" / name).read_text())["world"]
+            self.assertEqual(world["goal"]["behavior"], "swimming")
+            self.assertFalse(world["environment"]["ground"])
+            self.assertIn("BL/s", self.run_well("simulate", f"museum/{name}").stdout)
         self.assert_refused(self.run_program("export", "new.cambrian", "--museum", "-o", "museum"),
                             "expected a folder without such files")
 

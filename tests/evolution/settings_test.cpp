@@ -272,6 +272,29 @@ TEST_CASE("a goal in its own world raises no warning", "[evolution][settings]") 
     }
 }
 
+TEST_CASE("a goal that is impossible in an environment gives way to one that is possible",
+          "[evolution][settings]") {
+    ExperimentSettings settings;
+    const auto goal_in = [&settings](const Environment& environment) {
+        settings.world.environment = environment;
+        adopt_possible_goal(settings, kinds().goals);
+        return settings.goal;
+    };
+    CHECK(goal_in(Environment{}) == "walking");
+    settings.world.trial.trials = 3;
+    CHECK(goal_in(Environment{}) == "walking");
+    CHECK(settings.world.trial.trials == 3);
+    CHECK(goal_in(kinds().goals.find("swimming")->default_environment()) == "swimming");
+    CHECK(settings.world.trial == kinds().goals.find("swimming")->default_trial);
+    CHECK(goal_in(kinds().goals.find("flying")->default_environment()) == "flying");
+    settings.goal = "jumping";
+    CHECK(goal_in(Environment{}) == "jumping");
+    Environment space;
+    space.has_ground = false;
+    space.gravity = 0.0;
+    CHECK(goal_in(space) == "jumping");  // nothing is possible there
+}
+
 TEST_CASE("a goal in a world where it makes no sense warns and is allowed",
           "[evolution][settings]") {
     const auto warned = [](const ExperimentSettings& settings) {

@@ -109,6 +109,27 @@ TEST_CASE("E07: a number outside its range names the range", "[persist][creature
                Catch::Contains("E01"));
 }
 
+TEST_CASE("E07: the world of a creature without a score is checked as that of a trial",
+          "[persist][creature_error]") {
+    CreatureDocument document = sample_document();
+    drop_score(document);
+    change_settings(document.creature, [](ExperimentSettings& settings) {
+        settings.world.environment.gravity = 1.62;
+    });
+    std::string text = write_creature(document, kinds());
+    CHECK(message_of_creature(text) == "no error");
+    const std::string gravity = "\"gravity\": 1.62";
+    text.replace(text.find(gravity), gravity.size(), "\"gravity\": -1");
+    CHECK_THAT(message_of_creature(text),
+               Catch::Contains("E07 /world/environment/gravity: -1 is outside [0, 1000] m/s^2"));
+    change_settings(document.creature, [](ExperimentSettings& settings) {
+        settings.world.trial.duration = 3000.0;
+        settings.world.trial.trials = 4;
+    });
+    CHECK_THAT(message_of_creature(write_creature(document, kinds())),
+               Catch::Contains("E07 /world/trial: 4 trials of 3000 s"));
+}
+
 TEST_CASE("E07: a creature whose trials ask for hours of computing is refused",
           "[persist][creature_error]") {
     CreatureDocument document = sample_document();

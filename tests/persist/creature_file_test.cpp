@@ -122,6 +122,41 @@ TEST_CASE("a creature without a score or parents is complete", "[persist][creatu
     CHECK(loaded->creature.individual->parents == std::array<std::uint64_t, 2>{0, 0});
 }
 
+TEST_CASE("a creature without a score keeps its world unless it is the default one",
+          "[persist][creature_file]") {
+    CreatureDocument document = sample_document();
+    drop_score(document);
+    CHECK_FALSE(document.has_world());
+    CHECK(write_creature(document, kinds()).find("\"world\"") == std::string::npos);
+    change_settings(document.creature, [](ExperimentSettings& settings) {
+        settings.goal = "swimming";
+        settings.world.environment = kinds().goals.find("swimming")->default_environment();
+        settings.world.environment.viscosity_linear = 0.25;
+        settings.world.trial.duration = 3.5;
+        settings.expression.max_parts = 7;
+    });
+    REQUIRE(document.has_world());
+    const std::string text = write_creature(document, kinds());
+    const auto loaded = parse_creature(text, "test", kinds());
+    REQUIRE(loaded);
+    CHECK(loaded->warnings.empty());
+    CHECK_FALSE(loaded->scored());
+    CHECK(loaded->has_world());
+    CHECK(same_judgement(loaded->settings(), document.settings()));
+    CHECK(write_creature(*loaded, kinds()) == text);
+}
+
+TEST_CASE("the world of a creature with a score is that of its trial", "[persist][creature_file]") {
+    std::string text = sample_text();
+    text.insert(text.find("\"scored\""),
+                "\"world\": {\"goal\": {\"behavior\": \"swimming\"}},\n  ");
+    const auto loaded = parse_creature(text, "test", kinds());
+    REQUIRE(loaded);
+    CHECK(loaded->settings().goal == "walking");
+    REQUIRE(loaded->warnings.size() == 1);
+    CHECK_THAT(loaded->warnings.front(), Catch::Contains("W01 /world"));
+}
+
 TEST_CASE("a name may hold any text and comes back readable", "[persist][creature_file]") {
     const auto saved_and_loaded = [](const std::string& name) {
         const CreatureDocument named =

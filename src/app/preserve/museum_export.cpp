@@ -3,6 +3,7 @@
 #include "core/files/file_io.h"
 #include "persist/creature/creature_file.h"
 #include "persist/preserve/preserve_file.h"
+#include "preserve/laws.h"
 
 #include <fmt/core.h>
 
@@ -37,6 +38,15 @@ Status check_folder(const std::filesystem::path& folder, const std::vector<Museu
     return {};
 }
 
+// Returns the settings of trials under the laws of the last snapshot.
+Result<SettingsPtr> settings_of_trials(const std::string& file, const EvolutionKinds& kinds) {
+    const Result<SavedPreserve> saved = load_preserve(file, kinds);
+    if (!saved) return saved.error();
+    const Result<SettingsPtr> laws =
+        laws_at(saved->origin.settings, saved->interventions, saved->snapshots.back().tick, kinds);
+    return laws ? Result(trial_settings(*laws, kinds)) : laws.error();
+}
+
 }  // namespace
 
 Result<std::string> export_museum(const std::string& file, const std::filesystem::path& folder,
@@ -49,13 +59,12 @@ Result<std::string> export_museum(const std::string& file, const std::filesystem
             "{}: the museum is empty; expected a lineage that reached {} living members, or 10 min "
             "of the world's time",
             file, kMembersForMuseum)};
+    const Result<SettingsPtr> settings = settings_of_trials(file, kinds);
+    if (!settings) return settings.error();
     if (Status free = check_folder(folder, *museum); !free) return free.error();
-    const Result<SavedPreserve> saved = load_preserve(file, kinds);
-    if (!saved) return saved.error();
     std::string names;
     for (const MuseumPiece& piece : *museum) {
-        const CreatureDocument document{
-            unjudged(piece.genome, saved->origin.settings, piece.reason)};
+        const CreatureDocument document{unjudged(piece.genome, *settings, piece.reason)};
         const Status written = save_creature(folder / file_name(piece), document, kinds);
         if (!written) return written.error();
         names += file_name(piece) + '\n';

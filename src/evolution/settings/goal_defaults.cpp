@@ -11,6 +11,20 @@ void adopt_defaults(ExperimentSettings& settings, const GoalKind& goal) {
     allow_senses(settings, goal);
 }
 
+void adopt_possible_goal(ExperimentSettings& settings, const GoalRegistry& goals) {
+    const auto is_possible = [&settings](const GoalKind& goal) {
+        return goal.mismatch == nullptr || goal.mismatch(settings.world.environment).empty();
+    };
+    const GoalKind* present = goals.find(settings.goal);
+    if (present != nullptr && is_possible(*present)) return;
+    for (const GoalKind& goal : goals.all()) {
+        if (!is_possible(goal) || !goal.senses.empty() || goal.is_contest) continue;
+        settings.goal = goal.id;
+        settings.world.trial = goal.default_trial;
+        return;
+    }
+}
+
 bool may_sense(const ExperimentSettings& settings, const GoalKind& goal) {
     const auto& channels = settings.founders.channels;
     return goal.senses.empty() ||

@@ -8,6 +8,11 @@ namespace cambrian {
 // Takes over what suits a goal: environment, protocol of trials, confirmations and senses.
 void adopt_defaults(ExperimentSettings& settings, const GoalKind& goal);
 
+// If the goal is impossible in the environment, takes over the first one that is possible there
+// without particular senses or opponents, with the protocol of its trials. If there is none, the
+// settings stay.
+void adopt_possible_goal(ExperimentSettings& settings, const GoalRegistry& goals);
+
 // Whether creatures may have one of the senses the goal needs, or it needs none.
 bool may_sense(const ExperimentSettings& settings, const GoalKind& goal);
 // Switches them on unless they may.

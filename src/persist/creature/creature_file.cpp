@@ -25,13 +25,22 @@ using namespace creature_format;
 
 constexpr std::size_t kMaxFormat = 4096;  // bytes; only used in a message
 
+void check_trial(JsonReader& reader, const ExperimentSettings& settings) {
+    const auto excess = trial_excess(settings.world);
+    reader.require(!excess, "E07", "trial", [&] { return *excess; });
+}
+
+void read_world(JsonReader& reader, ExperimentSettings& settings, const EvolutionKinds& kinds) {
+    describe_world(reader, settings, score_tables(kinds));
+    check_trial(reader, settings);
+}
+
 void read_scored(JsonReader& reader, ScoreText& scored, ExperimentSettings& settings,
                  const EvolutionKinds& kinds) {
     describe_scored(reader, scored, settings, score_tables(kinds),
                     names_of(kinds.creature.catalog));
     settings.seed = scored.seed;
-    const auto excess = trial_excess(settings.world);
-    reader.require(!excess, "E07", "trial", [&] { return *excess; });
+    check_trial(reader, settings);
 }
 
 // Checks the kind and version of the file; only a known version is read further.
@@ -70,6 +79,9 @@ void read_document(JsonReader& reader, CreatureText& text, ExperimentSettings& s
         reader.object("scored", JsonLayout::kLines, [&](JsonReader& inner) {
             read_scored(inner, text.scored.emplace(), settings, kinds);
         });
+    } else if (reader.has("world")) {
+        reader.object("world", JsonLayout::kLines,
+                      [&](JsonReader& inner) { read_world(inner, settings, kinds); });
     }
     if (reader.has("check")) reader.digest("check", text.check);
     reader.end();
@@ -255,10 +267,18 @@ std::string write_creature(const CreatureDocument& document, const EvolutionKind
         writer.object("scored", JsonLayout::kLines, [&](JsonWriter& inner) {
             describe_scored(inner, scored, document.settings(), score_tables(kinds), names);
         });
+    } else if (document.has_world()) {
+        writer.object("world", JsonLayout::kLines, [&](JsonWriter& inner) {
+            describe_world(inner, document.settings(), score_tables(kinds));
+        });
     }
     writer.digest("check", genome_hash(document.genome()));
     writer.end();
     return text + "\n";
+}
+
+bool CreatureDocument::has_world() const {
+    return !scored() && !same_judgement(settings(), ExperimentSettings{});
 }
 
 bool same_score(const CreatureDocument& a, const CreatureDocument& b) {

@@ -40,7 +40,8 @@ struct ScoreNotes {
 };
 
 // A creature and the facts that only its file has. If there is a score, the individual is evaluated
-// and the settings that decide the score are those of its trial.
+// and the settings that decide the score are those of its trial. Otherwise they are the world in
+// which the creature is to be seen, or the defaults.
 struct CreatureDocument {
     JudgedIndividual creature;
     std::optional<std::uint64_t> ancestry = {};  // ancestry_digest(), if the ancestors are known
@@ -49,6 +50,8 @@ struct CreatureDocument {
     std::vector<std::string> warnings = {};
 
     bool scored() const { return creature.individual->evaluated; }
+    // Returns whether a creature without a score has a world other than the defaults.
+    bool has_world() const;
     // Returns the score of the trial itself, in the unit of `notes`.
     double score() const { return unconfirmed_score(creature.individual->result); }
     const EvaluationResult& result() const { return creature.individual->result; }

@@ -298,17 +298,31 @@ void describe_confirmed(Archive& archive, Confirmed& confirmed) {
     archive.plain_real("highest", confirmed.highest);
 }
 
-template <class Archive, class Scored, class Settings>
-void describe_scored(Archive& archive, Scored& scored, Settings& settings,
-                     const std::vector<ScoreTable>& tables, const KindNames& names) {
-    archive.type("scored");
+template <class Archive, class Settings>
+void describe_settings(Archive& archive, Settings& settings,
+                       const std::vector<ScoreTable>& tables) {
     for (const ScoreTable& table : tables) {
         if (!archive.has(table.name.c_str())) continue;
         archive.object(table.name.c_str(), JsonLayout::kLines, [&](Archive& inner) {
+            inner.type(table.name.c_str());
             for (const SettingField& field : table.fields)
                 inner.setting(field, settings);
         });
     }
+}
+
+// The world of a creature without a score.
+template <class Archive, class Settings>
+void describe_world(Archive& archive, Settings& settings, const std::vector<ScoreTable>& tables) {
+    archive.type("world");
+    describe_settings(archive, settings, tables);
+}
+
+template <class Archive, class Scored, class Settings>
+void describe_scored(Archive& archive, Scored& scored, Settings& settings,
+                     const std::vector<ScoreTable>& tables, const KindNames& names) {
+    archive.type("scored");
+    describe_settings(archive, settings, tables);
     archive.text("simulator", scored.simulator, kMaxWord);
     archive.integer("seed", scored.seed, 0, kMaxSeed);
     archive.plain_real("fitness", scored.fitness);

@@ -34,6 +34,9 @@ constexpr std::array kMeanings = {
     Meaning{"rootAngle", "The angle of the first part at birth."},
     Meaning{"nodes", "The part genes; the first is the root."},
     Meaning{"brain", "The central neurons."},
+    Meaning{"world",
+            "The world of a creature that was never scored. A creature with a score has the world "
+            "in `scored`."},
     Meaning{"scored", "The trial that scored the creature, with all that is needed to repeat it."},
     Meaning{"check", "The digest of the genes. It does not match if they were edited."},
     Meaning{"node.uid", "The number of the gene, which offspring keep."},
@@ -72,7 +75,7 @@ constexpr std::array kMeanings = {
     Meaning{"e", "The index of the connection to the part that is read."},
     Meaning{"n", "The index of the node whose part is read."},
     Meaning{"i", "The index among the node's parts."},
-    Meaning{"goal", "The goal that the trial scored."},
+    Meaning{"goal", "The goal of the trial."},
     Meaning{"environment", "The world of the trial."},
     Meaning{"simulation", "The settings of the simulation."},
     Meaning{"trial", "The settings of the trial."},
@@ -117,6 +120,11 @@ void describe_creature(JsonSchemaWriter& writer, CreatureText& document,
     describe_identity(writer, document, names);
     describe_genes(writer, document.genome, names);
     ExperimentSettings settings;
+    if (writer.has("world")) {
+        writer.object("world", JsonLayout::kLines, [&](JsonSchemaWriter& inner) {
+            describe_world(inner, settings, score_tables(kinds));
+        });
+    }
     if (writer.has("scored")) {
         writer.object("scored", JsonLayout::kLines, [&](JsonSchemaWriter& inner) {
             describe_scored(inner, document.scored.emplace(), settings, score_tables(kinds), names);

@@ -28,7 +28,7 @@ Exhibit exhibit_of(const CreatureDocument& document, const ExperimentSettings& o
     Exhibit exhibit;
     exhibit.creature = document.creature;
     exhibit.source = source;
-    if (!document.scored())
+    if (!document.scored() && !document.has_world())
         exhibit.creature.settings = std::make_shared<const ExperimentSettings>(otherwise);
     exhibit.title = name.empty() ? capitalized(stem.substr(0, stem.find('.'))) : name;
     exhibit.ancestry = document.ancestry;

@@ -379,7 +379,8 @@ bool PreserveController::show_alone(WorldSubject subject) {
     if (!open_) return false;
     const auto show = [this](std::uint64_t number, const GenomePtr& genome,
                              const std::string& method) {
-        subjects_.viewer.show({.creature = unjudged(genome, picture_->laws, method),
+        const SettingsPtr settings = trial_settings(picture_->laws, services_.kinds);
+        subjects_.viewer.show({.creature = unjudged(genome, settings, method),
                                .source = ExhibitSource::kPreserve,
                                .title = fmt::format("Creature {}", number)});
         return true;

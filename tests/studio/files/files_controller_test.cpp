@@ -57,6 +57,30 @@ TEST_CASE("a saved creature loads as the same creature", "[studio][files]") {
     CHECK(*run.studio.frame_context().viewer.playback.exhibit().genome() == *genome);
 }
 
+TEST_CASE(
+    "a creature without a score is loaded with the world of its file, or else of the experiment",
+    "[studio][files]") {
+    StudioRun run;
+    const auto shown = [&](const std::string& name, double gravity) {
+        Genome genome = *test::crawler(test::kinds().creature.catalog);
+        genome.name = name;
+        ExperimentSettings settings;
+        settings.world.environment.gravity = gravity;
+        const CreatureDocument document{
+            unjudged(std::make_shared<const Genome>(genome),
+                     std::make_shared<const ExperimentSettings>(settings))};
+        const auto path = run.folder.path() / "some.creature.json";
+        REQUIRE(save_creature(path, document, test::kinds()));
+        run.ask(LoadFile{path});
+        const Playback& playback = run.studio.frame_context().viewer.playback;
+        REQUIRE(run.frames_until([&] { return playback.exhibit().title == name; }));
+        return playback.exhibit().settings();
+    };
+    const ExperimentSettings& draft = run.studio.frame_context().experiment.editor.draft();
+    CHECK(shown("on the moon", 1.62).world.environment.gravity == 1.62);
+    CHECK(same_judgement(shown("anywhere", Environment{}.gravity), draft));
+}
+
 TEST_CASE("a creature scored by several trials is verified by as many, tick by tick",
           "[studio][files]") {
     StudioRun run;
