@@ -130,7 +130,7 @@ TEST_CASE("a file of version 1 is opened and brought to the present one", "[pres
         database.execute(
             "ALTER TABLE interventions DROP COLUMN x; ALTER TABLE interventions DROP COLUMN y;"
             "ALTER TABLE interventions DROP COLUMN to_x; ALTER TABLE interventions DROP COLUMN "
-            "to_y; DROP TABLE museum;"
+            "to_y; DROP TABLE museum; ALTER TABLE genotypes DROP COLUMN base;"
             "INSERT INTO interventions (tick, what, number) VALUES (0, 'restock', 1);"
             "PRAGMA user_version = 1");
     }

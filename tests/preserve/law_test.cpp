@@ -155,13 +155,13 @@ TEST_CASE("a file of version 4, which has no changed laws, is brought to the pre
     }();
     {
         Database database(path, Database::Access::kWrite);
-        database.execute("PRAGMA user_version = 4");
+        database.execute("ALTER TABLE genotypes DROP COLUMN base; PRAGMA user_version = 4");
     }
     REQUIRE(load_museum(path, kinds()));
     const auto opened = PreserveFile::open(path, kinds());
     REQUIRE(opened);
     CHECK(opened->laws == opened->origin.settings);
-    CHECK(Database(path, Database::Access::kRead).integer("PRAGMA user_version") == 5);
+    CHECK(Database(path, Database::Access::kRead).integer("PRAGMA user_version") == 6);
 }
 
 }  // namespace

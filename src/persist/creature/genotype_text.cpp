@@ -12,24 +12,52 @@ namespace {
 // Several times the size of the largest genome's text, in bytes.
 constexpr std::size_t kMostText = 500'000;
 
+Status check_size(std::size_t size) {
+    if (size <= kMostText) return {};
+    return Error{fmt::format("genotype too large: {} bytes", size)};
+}
+
 }  // namespace
 
 GenotypePacker::GenotypePacker(const EvolutionKinds& kinds)
     : names_(creature_format::names_of(kinds.creature.catalog)) {}
 
-PackedGenotype GenotypePacker::pack(const Individual& individual) {
+void GenotypePacker::write(const Individual& individual) {
     text_.clear();
     creature_format::write_genotype(text_, individual, names_);
+}
+
+PackedGenotype GenotypePacker::pack(const Individual& individual) {
+    write(individual);
     return {deflater_.deflate(text_), text_.size()};
 }
 
-Result<GenomePtr> GenotypeReader::read(std::string_view bytes, std::size_t size) {
-    if (size > kMostText) return Error{fmt::format("genotype too large: {} bytes", size)};
-    const Result<std::string> text = inflater_.inflate(bytes, size);
-    if (!text) return text.error();
-    Result<CreatureDocument> document = parse_creature(*text, "genotype", kinds_);
+PackedGenotype GenotypePacker::pack_difference(const Individual& individual,
+                                               std::string_view base) {
+    write(individual);
+    return {delta_encoder_.encode(text_, base), text_.size()};
+}
+
+Result<std::string> GenotypeReader::unpack(std::string_view bytes, std::size_t size) {
+    if (Status small = check_size(size); !small) return small.error();
+    return inflater_.inflate(bytes, size);
+}
+
+Result<std::string> GenotypeReader::unpack_difference(std::string_view bytes, std::string_view base,
+                                                      std::size_t size) {
+    if (Status small = check_size(size); !small) return small.error();
+    return delta_decoder_.decode(bytes, base, size);
+}
+
+Result<GenomePtr> GenotypeReader::parse(std::string_view text) const {
+    Result<CreatureDocument> document = parse_creature(text, "genotype", kinds_);
     if (!document) return document.error();
     return document->creature.individual->genome;
+}
+
+Result<GenomePtr> GenotypeReader::read(std::string_view bytes, std::size_t size) {
+    const Result<std::string> text = unpack(bytes, size);
+    return text ? parse(*text) : text.error();
 }
 
 }  // namespace cambrian

@@ -34,11 +34,7 @@ std::string settings_text(const Database& database) {
     return text;
 }
 
-GenomePtr genotype(const Statement& row, int column, GenotypeReader& genotypes) {
-    const std::int64_t size = row.integer(column);
-    if (size < 0) throw DatabaseError("a genotype's size is negative");
-    Result<GenomePtr> genome =
-        genotypes.read(row.bytes(column + 1), static_cast<std::size_t>(size));
+GenomePtr sound(const Result<GenomePtr>& genome) {
     if (!genome) throw DatabaseError(genome.error().message);
     return *genome;
 }
@@ -49,7 +45,9 @@ std::vector<GenomePtr> read_founders(const Database& database, const EvolutionKi
     Statement row = database.prepare("SELECT size, document FROM founders ORDER BY number");
     while (row.step()) {
         if (founders.size() == kMostFounders) throw DatabaseError("it has too many founders");
-        founders.push_back(genotype(row, 0, genotypes));
+        const std::int64_t size = row.integer(0);
+        if (size < 0) throw DatabaseError("a genotype's size is negative");
+        founders.push_back(sound(genotypes.read(row.bytes(1), static_cast<std::size_t>(size))));
     }
     if (founders.empty()) throw DatabaseError("it has no founders");
     return founders;
@@ -68,11 +66,11 @@ std::vector<Intervention> read_interventions(const Database& database,
     std::vector<Intervention> all;
     const std::int64_t version = database.integer("PRAGMA user_version");
     if (version == 1) return all;
-    GenotypeReader genotypes(kinds);
+    KeptGenotypes genotypes(database, kinds);
     Statement row = database.prepare(fmt::format(
-        "SELECT tick, what, interventions.number, x, y, size, document, {} FROM interventions LEFT "
-        "JOIN genotypes ON what = 'add' AND genotypes.number = interventions.number WHERE what != "
-        "'restock' ORDER BY id LIMIT ?",
+        "SELECT tick, what, interventions.number, x, y, genotypes.number, {} FROM interventions "
+        "LEFT JOIN genotypes ON what = 'add' AND genotypes.number = interventions.number WHERE "
+        "what != 'restock' ORDER BY id LIMIT ?",
         version == 2 ? "0.0, 0.0" : "to_x, to_y"));
     row.bind(kMostInterventions);
     while (row.step()) {
@@ -82,10 +80,10 @@ std::vector<Intervention> read_interventions(const Database& database,
         read_column(row, 2, each.number);
         each.x = row.real(3);
         each.y = row.real(4);
-        each.to_x = row.real(7);
-        each.to_y = row.real(8);
+        each.to_x = row.real(6);
+        each.to_y = row.real(7);
         if (each.what == intervention::kAdd && !row.is_null(5))
-            each.genome = genotype(row, 5, genotypes);
+            each.genome = sound(genotypes.genome(each.number));
         if (all.size() > 1 && each.tick < all[all.size() - 2].tick)
             throw DatabaseError("its interventions are not in order");
     }
@@ -122,10 +120,10 @@ std::vector<SeriesRow> read_series(const Database& database) {
 std::vector<MuseumPiece> read_museum(const Database& database, const EvolutionKinds& kinds) {
     std::vector<MuseumPiece> museum;
     if (database.integer("PRAGMA user_version") <= 3) return museum;
-    GenotypeReader genotypes(kinds);
+    KeptGenotypes genotypes(database, kinds);
     Statement row = database.prepare(
-        "SELECT number, tick, reason, count, size, document FROM museum JOIN genotypes USING "
-        "(number) ORDER BY tick, number, reason LIMIT ?");
+        "SELECT number, tick, reason, count FROM museum JOIN genotypes USING (number) "
+        "ORDER BY tick, number, reason LIMIT ?");
     row.bind(kMostPieces);
     while (row.step()) {
         MuseumPiece& piece = museum.emplace_back();
@@ -133,7 +131,7 @@ std::vector<MuseumPiece> read_museum(const Database& database, const EvolutionKi
         read_column(row, 1, piece.tick);
         piece.reason = row.text(2).substr(0, 64);
         read_column(row, 3, piece.count);
-        piece.genome = genotype(row, 4, genotypes);
+        piece.genome = sound(genotypes.genome(piece.number));
     }
     return museum;
 }
@@ -178,14 +176,14 @@ Result<PreserveState> read_snapshot(const Database& database, const SnapshotEntr
     const std::vector<std::uint64_t> words = words_in(*bytes);
     if (digest_of(words) != entry.digest)
         return Error{"the snapshot is not the one that was written"};
-    GenotypeReader genotypes(kinds);
-    Statement origin = database.prepare(
-        "SELECT size, document, method FROM genotypes JOIN lives USING (number) WHERE number = ?");
+    KeptGenotypes genotypes(database, kinds);
+    Statement method = database.prepare("SELECT method FROM lives WHERE number = ?");
     Result<PreserveState> state = state_of(words, [&](std::uint64_t number) -> Result<Origin> {
-        origin.bind(number);
-        if (!origin.step()) return Error{fmt::format("creature {} is missing", number)};
-        return Origin{PackedGenome(*genotype(origin, 0, genotypes)),
-                      std::string(origin.text(2).substr(0, 64))};
+        const Result<GenomePtr> genome = genotypes.genome(number);
+        if (!genome) return genome.error();
+        method.bind(number);
+        if (!method.step()) return Error{fmt::format("creature {} is missing", number)};
+        return Origin{PackedGenome(**genome), std::string(method.text(0).substr(0, 64))};
     });
     if (state && state->tick != entry.tick) return Error{"the snapshot is of another time"};
     return state;

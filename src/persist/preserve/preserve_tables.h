@@ -2,7 +2,7 @@
 
 // The tables of a preserve file and their rows. The functions throw DatabaseError.
 
-#include "persist/creature/genotype_text.h"
+#include "persist/preserve/kept_genotypes.h"
 #include "persist/preserve/preserve_file.h"
 #include "persist/sqlite/columns.h"
 #include "persist/sqlite/database.h"
@@ -12,9 +12,9 @@
 
 namespace cambrian {
 
-// Version 1 has no places of interventions, version 2 no walls, version 3 no museum, and version 4
-// no changes of laws.
-inline constexpr std::int64_t kPreserveVersion = 5;
+// Version 1 has no places of interventions, version 2 no walls, version 3 no museum, version 4 no
+// changes of laws, and version 5 no genotypes that are differences.
+inline constexpr std::int64_t kPreserveVersion = 6;
 
 inline constexpr std::array kSeriesColumns = {
     Column<SeriesRow>{"tick", &SeriesRow::tick},
@@ -100,7 +100,8 @@ public:
     void remove_after(const PreserveState& state);
 
 private:
-    void insert_genotype(Statement& statement, std::uint64_t number, const GenomePtr& genome);
+    void put_founder(std::size_t number, const GenomePtr& genome);
+    void put_genotype(const Life& life);
     void put_life(const Life& life);
     void put_snapshot(const PreserveState& state);
     void thin_snapshots(std::uint64_t tick);
@@ -110,6 +111,7 @@ private:
     Statement put_life_, put_genotype_, put_founder_, put_series_, put_intervention_, put_snapshot_,
         put_piece_;
     GenotypePacker packer_;
+    KeptGenotypes genotypes_;
 };
 
 // Returns the ticks of all snapshots, in ascending order.

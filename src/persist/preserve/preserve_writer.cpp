@@ -23,7 +23,7 @@ std::string preserve_tables() {
            column_definitions<LifeRow>(kLifeColumns) +
            ", PRIMARY KEY (number));"
            "CREATE TABLE genotypes (number INTEGER PRIMARY KEY, size INTEGER NOT NULL, "
-           "document BLOB NOT NULL);"
+           "document BLOB NOT NULL, base INTEGER NOT NULL DEFAULT 0);"
            "CREATE TABLE series (" +
            column_definitions<SeriesRow>(kSeriesColumns) +
            ", PRIMARY KEY (tick));"
@@ -44,6 +44,12 @@ std::string bytes_of(const std::vector<std::uint64_t>& words) {
             bytes.push_back(static_cast<char>(static_cast<std::uint8_t>(word >> shift)));
     }
     return bytes;
+}
+
+Individual individual_of(const GenomePtr& genome) {
+    Individual individual;
+    individual.genome = genome;
+    return individual;
 }
 
 }  // namespace
@@ -106,6 +112,8 @@ void upgrade_preserve_tables(Database& database) {
             "ALTER TABLE interventions ADD COLUMN to_y REAL NOT NULL DEFAULT 0;");
     }
     if (version <= 3) database.execute(kMuseumTable);
+    if (version <= 5)
+        database.execute("ALTER TABLE genotypes ADD COLUMN base INTEGER NOT NULL DEFAULT 0");
     database.execute(fmt::format("PRAGMA user_version = {}", kPreserveVersion));
     transaction.commit();
 }
@@ -115,7 +123,7 @@ PreserveWriter::PreserveWriter(Database& database, const EvolutionKinds& kinds)
       kinds_(kinds),
       put_life_(database.prepare(fmt::format("INSERT OR REPLACE INTO lives VALUES (?{})",
                                              more_places(kLifeColumns.size() - 1)))),
-      put_genotype_(database.prepare("INSERT OR REPLACE INTO genotypes VALUES (?, ?, ?)")),
+      put_genotype_(database.prepare("INSERT OR REPLACE INTO genotypes VALUES (?, ?, ?, ?)")),
       put_founder_(database.prepare("INSERT INTO founders VALUES (?, ?, ?)")),
       put_series_(database.prepare(
           fmt::format("INSERT INTO series VALUES (?{})", more_places(kSeriesColumns.size() - 1)))),
@@ -124,16 +132,28 @@ PreserveWriter::PreserveWriter(Database& database, const EvolutionKinds& kinds)
                            "VALUES (?, ?, ?, ?, ?, ?, ?)")),
       put_snapshot_(database.prepare("INSERT OR REPLACE INTO snapshots VALUES (?, ?, ?, ?)")),
       put_piece_(database.prepare("INSERT OR IGNORE INTO museum VALUES (?, ?, ?, ?)")),
-      packer_(kinds) {}
+      packer_(kinds),
+      genotypes_(database, kinds) {}
 
-void PreserveWriter::insert_genotype(Statement& statement, std::uint64_t number,
-                                     const GenomePtr& genome) {
-    Individual individual;
-    individual.genome = genome;
-    const PackedGenotype packed = packer_.pack(individual);
-    statement.bind(number, std::uint64_t{packed.size});
-    statement.bind_bytes(packed.bytes);
-    statement.finish();
+void PreserveWriter::put_founder(std::size_t number, const GenomePtr& genome) {
+    const PackedGenotype packed = packer_.pack(individual_of(genome));
+    put_founder_.bind(std::uint64_t{number}, std::uint64_t{packed.size});
+    put_founder_.bind_bytes(packed.bytes);
+    put_founder_.finish();
+}
+
+// Writes the difference from the first parent's genotype, if that can be read.
+void PreserveWriter::put_genotype(const Life& life) {
+    const Individual individual = individual_of(life.genome.unpack());
+    std::uint64_t base = life.parents[0];
+    const Result<KeptText> kept = genotypes_.text(base);
+    if (!kept || kept->differences == kMostDifferences) base = 0;
+    const PackedGenotype packed =
+        base == 0 ? packer_.pack(individual) : packer_.pack_difference(individual, kept->text);
+    put_genotype_.bind(life.number, std::uint64_t{packed.size});
+    put_genotype_.bind_bytes(packed.bytes);
+    put_genotype_.bind_next(base);
+    put_genotype_.finish();
 }
 
 void PreserveWriter::begin(const PreserveOrigin& origin) {
@@ -142,7 +162,7 @@ void PreserveWriter::begin(const PreserveOrigin& origin) {
     fact.run("simulator", origin.simulator);
     fact.run("settings", write_settings(*origin.settings, kinds_, SettingsUse::kPreserve));
     for (std::size_t i = 0; i < origin.founders.size(); ++i)
-        insert_genotype(put_founder_, i + 1, origin.founders[i]);
+        put_founder(i + 1, origin.founders[i]);
 }
 
 void PreserveWriter::put_life(const Life& life) {
@@ -170,7 +190,7 @@ void PreserveWriter::thin_snapshots(std::uint64_t tick) {
 void PreserveWriter::write(const Chronicle& chronicle, const Preserve& preserve) {
     for (const Life& life : chronicle.born) {
         put_life(life);
-        insert_genotype(put_genotype_, life.number, life.genome.unpack());
+        put_genotype(life);
     }
     for (const Life& life : chronicle.died)
         put_life(life);
