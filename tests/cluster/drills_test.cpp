@@ -272,6 +272,7 @@ TEST_CASE("a genome that crashes workers is found and saved", "[cluster][threads
     const auto creature = load_creature(file, kinds());
     REQUIRE(creature);
     CHECK(hex_text(genome_hash(creature->genome())) == hash);
+    CHECK(same_judgement(creature->settings(), drill_settings()));
 }
 
 TEST_CASE("overdue units that are sound are computed in a process of their own",

@@ -134,6 +134,7 @@ TEST_CASE("a creature without a score keeps its world unless it is the default o
         settings.world.environment.viscosity_linear = 0.25;
         settings.world.trial.duration = 3.5;
         settings.expression.max_parts = 7;
+        settings.world.opponents.genomes = {sample_document().creature.individual->genome};
     });
     REQUIRE(document.has_world());
     const std::string text = write_creature(document, kinds());

@@ -1,5 +1,6 @@
 #include "cluster/coordinator/crash_search.h"
 
+#include "cluster/messages/judging_settings.h"
 #include "cluster/messages/unit_text.h"
 #include "persist/creature/creature_file.h"
 #include "persist/text/digest_text.h"
@@ -60,7 +61,11 @@ std::string CrashSearch::describe(const EvaluationRequest& request,
                                   const std::string& cause) const {
     const std::filesystem::path file =
         folder_ / fmt::format("crash-{}.creature.json", hex_text(genome_hash(*request.genome)));
-    const Status written = save_creature(file, {unjudged(request.genome)}, kinds_);
+    const Result<ExperimentSettings> settings =
+        read_judging_settings(settings_, "settings of the run", kinds_);
+    const auto world =
+        std::make_shared<const ExperimentSettings>(settings ? *settings : ExperimentSettings());
+    const Status written = save_creature(file, {unjudged(request.genome, world)}, kinds_);
     return fmt::format(
         "the genome in {} ends the process that evaluates it ({}): a fault of this program, please "
         "report it with that file. The run stops here, since without this creature it would not be "

@@ -1,7 +1,7 @@
 #pragma once
 
 // Evaluates creatures in separate processes. If one of these crashes, it finds the creature that
-// causes it by bisection and writes its genome to a file.
+// causes it by bisection and writes its genome and world to a file.
 
 #include "cluster/messages/result_text.h"
 #include "cluster/units/unit_child.h"
@@ -43,7 +43,7 @@ private:
 
     const EvolutionKinds& kinds_;
     const ChildProcess& child_;
-    const std::string& settings_;  // text
+    const std::string& settings_;  // text (judging_settings.h)
     const std::filesystem::path& folder_;
 };
 

@@ -30,8 +30,9 @@ void check_trial(JsonReader& reader, const ExperimentSettings& settings) {
     reader.require(!excess, "E07", "trial", [&] { return *excess; });
 }
 
-void read_world(JsonReader& reader, ExperimentSettings& settings, const EvolutionKinds& kinds) {
-    describe_world(reader, settings, score_tables(kinds));
+void read_world(JsonReader& reader, WorldText& world, ExperimentSettings& settings,
+                const EvolutionKinds& kinds) {
+    describe_world(reader, world, settings, score_tables(kinds), names_of(kinds.creature.catalog));
     check_trial(reader, settings);
 }
 
@@ -80,8 +81,9 @@ void read_document(JsonReader& reader, CreatureText& text, ExperimentSettings& s
             read_scored(inner, text.scored.emplace(), settings, kinds);
         });
     } else if (reader.has("world")) {
-        reader.object("world", JsonLayout::kLines,
-                      [&](JsonReader& inner) { read_world(inner, settings, kinds); });
+        reader.object("world", JsonLayout::kLines, [&](JsonReader& inner) {
+            read_world(inner, text.world.emplace(), settings, kinds);
+        });
     }
     if (reader.has("check")) reader.digest("check", text.check);
     reader.end();
@@ -112,11 +114,12 @@ void finish_genome(Genome& genome, std::uint64_t check, const KindCatalog& catal
     check_genome(genome, "", catalog, errors);
 }
 
-void finish_opponents(std::vector<Genome>& opponents, const KindCatalog& catalog,
+// `table` is the one that has them.
+void finish_opponents(std::vector<Genome>& opponents, const char* table, const KindCatalog& catalog,
                       ErrorList& errors) {
     for (std::size_t i = 0; i < opponents.size(); ++i) {
         repair(opponents[i], catalog);
-        check_genome(opponents[i], fmt::format("/scored/opponents/{}", i), catalog, errors);
+        check_genome(opponents[i], fmt::format("/{}/opponents/{}", table, i), catalog, errors);
     }
 }
 
@@ -155,10 +158,14 @@ CreatureDocument document_of(CreatureText text, ExperimentSettings settings,
                              std::vector<std::string> warnings) {
     CreatureDocument document;
     document.ancestry = text.ancestry;
-    if (ScoreText* scored = text.scored ? &*text.scored : nullptr) {
-        for (Genome& opponent : scored->opponents)
+    const auto take_opponents = [&settings](std::vector<Genome>& opponents) {
+        for (Genome& opponent : opponents)
             settings.world.opponents.genomes.push_back(
                 std::make_shared<const Genome>(std::move(opponent)));
+    };
+    if (text.world) take_opponents(text.world->opponents);
+    if (ScoreText* scored = text.scored ? &*text.scored : nullptr) {
+        take_opponents(scored->opponents);
         document.notes = {.confirmed = scored->confirmed,
                           .unit = std::move(scored->unit),
                           .ticks = std::move(scored->ticks),
@@ -188,10 +195,14 @@ Identity identity_of(const Individual& individual, std::string uid) {
     return identity;
 }
 
-ScoreText score_text(const CreatureDocument& document) {
+std::vector<Genome> opponents_of(const CreatureDocument& document) {
     std::vector<Genome> opponents;
     for (const GenomePtr& opponent : document.settings().world.opponents.genomes)
         opponents.push_back(*opponent);
+    return opponents;
+}
+
+ScoreText score_text(const CreatureDocument& document) {
     return {.simulator = document.notes.simulator,
             .seed = document.settings().seed,
             .fitness = document.score(),
@@ -200,7 +211,7 @@ ScoreText score_text(const CreatureDocument& document) {
             .trajectory = document.result().digest,
             .ticks = document.notes.ticks,
             .finer = document.result().finer,
-            .opponents = std::move(opponents)};
+            .opponents = opponents_of(document)};
 }
 
 // Whether the recorded trial has the motion of the scored one, as far as one trial tells.
@@ -247,7 +258,9 @@ Result<CreatureDocument> parse_creature(std::string_view text, std::string_view 
     if (!errors.empty()) return errors.as_error(source);
     finish_identity(read, errors);
     finish_genome(read.genome, read.check, kinds.creature.catalog, errors);
-    if (read.scored) finish_opponents(read.scored->opponents, kinds.creature.catalog, errors);
+    const KindCatalog& catalog = kinds.creature.catalog;
+    if (read.world) finish_opponents(read.world->opponents, "world", catalog, errors);
+    if (read.scored) finish_opponents(read.scored->opponents, "scored", catalog, errors);
     if (!errors.empty()) return errors.as_error(source);
     return document_of(std::move(read), std::move(settings), errors.warnings());
 }
@@ -268,8 +281,9 @@ std::string write_creature(const CreatureDocument& document, const EvolutionKind
             describe_scored(inner, scored, document.settings(), score_tables(kinds), names);
         });
     } else if (document.has_world()) {
+        const WorldText world{opponents_of(document)};
         writer.object("world", JsonLayout::kLines, [&](JsonWriter& inner) {
-            describe_world(inner, document.settings(), score_tables(kinds));
+            describe_world(inner, world, document.settings(), score_tables(kinds), names);
         });
     }
     writer.digest("check", genome_hash(document.genome()));

@@ -76,6 +76,11 @@ struct ScoreText {
     std::vector<Genome> opponents;
 };
 
+// The values of a file's table "world", without its settings.
+struct WorldText {
+    std::vector<Genome> opponents;
+};
+
 // The values of a creature file before they become an individual.
 struct CreatureText {
     Genome genome;
@@ -83,6 +88,7 @@ struct CreatureText {
     std::vector<std::string> parents;
     std::string method;
     std::optional<std::uint64_t> ancestry;
+    std::optional<WorldText> world;
     std::optional<ScoreText> scored;
     std::uint64_t check = 0;
 };
@@ -311,11 +317,20 @@ void describe_settings(Archive& archive, Settings& settings,
     }
 }
 
+template <class Archive, class Genomes>
+void describe_opponents(Archive& archive, Genomes& opponents, const KindNames& names) {
+    archive.optional_list(
+        "opponents", opponents, kMostOpponents, JsonLayout::kLines,
+        [&](Archive& inner, auto& genome) { describe_opponent(inner, genome, names); });
+}
+
 // The world of a creature without a score.
-template <class Archive, class Settings>
-void describe_world(Archive& archive, Settings& settings, const std::vector<ScoreTable>& tables) {
+template <class Archive, class World, class Settings>
+void describe_world(Archive& archive, World& world, Settings& settings,
+                    const std::vector<ScoreTable>& tables, const KindNames& names) {
     archive.type("world");
     describe_settings(archive, settings, tables);
+    describe_opponents(archive, world.opponents, names);
 }
 
 template <class Archive, class Scored, class Settings>
@@ -333,9 +348,7 @@ void describe_scored(Archive& archive, Scored& scored, Settings& settings,
     archive.optional_bytes("ticks", scored.ticks, kTicksASecond, kMostTickChecks);
     archive.optional_object("recomputed", scored.finer, JsonLayout::kCompact,
                             [](Archive& inner, auto& finer) { describe_finer(inner, finer); });
-    archive.optional_list(
-        "opponents", scored.opponents, kMostOpponents, JsonLayout::kLines,
-        [&](Archive& inner, auto& genome) { describe_opponent(inner, genome, names); });
+    describe_opponents(archive, scored.opponents, names);
 }
 
 // Appends a document without a score, on one line.

@@ -122,7 +122,7 @@ void describe_creature(JsonSchemaWriter& writer, CreatureText& document,
     ExperimentSettings settings;
     if (writer.has("world")) {
         writer.object("world", JsonLayout::kLines, [&](JsonSchemaWriter& inner) {
-            describe_world(inner, settings, score_tables(kinds));
+            describe_world(inner, document.world.emplace(), settings, score_tables(kinds), names);
         });
     }
     if (writer.has("scored")) {
