@@ -198,6 +198,7 @@ class Render(ProgramTest):
         before = self.write("clip.mp4", "the clip before")
         process = self.start("render", WALKER, "-o", "clip.mp4", "--fps", 120, "--speed", 0.05,
                              stdout=subprocess.DEVNULL)
+        self.wait_until_caught(process, signal.SIGINT)
         deadline = time.monotonic() + 120
         while len(self.files()) < 2 and time.monotonic() < deadline:
             time.sleep(0.05)
