@@ -63,6 +63,11 @@ using GoalRegistry = Registry<GoalKind>;
 
 GoalRegistry builtin_goals();
 
+// Returns why a goal is impossible in an environment, as half a sentence; empty if it is possible.
+inline std::string mismatch_of(const GoalKind& goal, const Environment& environment) {
+    return goal.mismatch == nullptr ? std::string() : goal.mismatch(environment);
+}
+
 // Returns the unit of a goal by its id; empty if the id is unknown.
 inline std::string goal_unit(const std::string& goal, const GoalRegistry& goals) {
     const GoalKind* kind = goals.find(goal);

@@ -167,10 +167,8 @@ TEST_CASE("a file of version 5, which has no differences, is brought to the pres
           "[preserve][genotypes]") {
     const TemporaryDirectory folder;
     const auto path = folder.path() / "pond.cambrian";
-    KeptWorld world = kept_in(path, small_world());
-    world.file.reset();
-    Database(path, Database::Access::kWrite)
-        .execute("ALTER TABLE genotypes DROP COLUMN base; PRAGMA user_version = 5");
+    const KeptWorld world =
+        changed_in(path, "ALTER TABLE genotypes DROP COLUMN base; PRAGMA user_version = 5");
     const auto saved = load_preserve(path, kinds());
     REQUIRE(saved);
     REQUIRE(load_snapshot(path, saved->snapshots.front(), kinds()));

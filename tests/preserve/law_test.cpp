@@ -148,15 +148,7 @@ TEST_CASE("a file of version 4, which has no changed laws, is brought to the pre
           "[preserve][law]") {
     const TemporaryDirectory folder;
     const auto path = folder.path() / "pond.cambrian";
-    const KeptWorld world = [&] {
-        KeptWorld kept = kept_in(path, small_world());
-        kept.file.reset();
-        return kept;
-    }();
-    {
-        Database database(path, Database::Access::kWrite);
-        database.execute("ALTER TABLE genotypes DROP COLUMN base; PRAGMA user_version = 4");
-    }
+    changed_in(path, "ALTER TABLE genotypes DROP COLUMN base; PRAGMA user_version = 4");
     REQUIRE(load_museum(path, kinds()));
     const auto opened = PreserveFile::open(path, kinds());
     REQUIRE(opened);

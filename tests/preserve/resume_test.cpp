@@ -139,14 +139,12 @@ TEST_CASE("a snapshot that says it is huge is refused before it is inflated", "[
 TEST_CASE("a file with a million lives is read without keeping them all", "[preserve]") {
     const TemporaryDirectory folder;
     const auto path = folder.path() / "pond.cambrian";
-    KeptWorld world = kept_in(path, small_world());
-    world.file.reset();
-    Database(path, Database::Access::kWrite)
-        .execute(
-            "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 1000000) "
-            "INSERT INTO lives SELECT i + 1000, uid, parent1, parent2, lineage, method, mutations, "
-            "born, died, cause, x, y, mass, parts, neurons, diet, eaten_plants, eaten_flesh, "
-            "bitten, lost, children FROM n, (SELECT * FROM lives LIMIT 1)");
+    changed_in(
+        path,
+        "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 1000000) "
+        "INSERT INTO lives SELECT i + 1000, uid, parent1, parent2, lineage, method, mutations, "
+        "born, died, cause, x, y, mass, parts, neurons, diet, eaten_plants, eaten_flesh, "
+        "bitten, lost, children FROM n, (SELECT * FROM lives LIMIT 1)");
     const auto saved = load_preserve(path, kinds());
     REQUIRE(saved);
     const auto state = load_snapshot(path, saved->snapshots.front(), kinds());

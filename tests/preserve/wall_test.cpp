@@ -1,6 +1,5 @@
 // Walls within a preserve, from settings and drawn by people.
 #include "persist/preserve/preserve_file.h"
-#include "persist/sqlite/database.h"
 #include "preserve/replay.h"
 #include "simulator/simulator_version.h"
 #include "support/temporary_directory.h"
@@ -107,15 +106,10 @@ TEST_CASE("a file repeats walls, and those of version 2 are read and brought to 
           "[preserve][wall]") {
     const TemporaryDirectory folder;
     const auto path = folder.path() / "pond.cambrian";
-    KeptWorld world = kept_in(path, small_world());
-    world.file.reset();
-    {
-        Database database(path, Database::Access::kWrite);
-        database.execute(
-            "ALTER TABLE interventions DROP COLUMN to_x; ALTER TABLE interventions DROP COLUMN "
-            "to_y; DROP TABLE museum; ALTER TABLE genotypes DROP COLUMN base; PRAGMA user_version "
-            "= 2");
-    }
+    const KeptWorld world = changed_in(
+        path,
+        "ALTER TABLE interventions DROP COLUMN to_x; ALTER TABLE interventions DROP COLUMN to_y; "
+        "DROP TABLE museum; ALTER TABLE genotypes DROP COLUMN base; PRAGMA user_version = 2");
     REQUIRE(load_preserve(path, kinds()));
     {
         auto opened = PreserveFile::open(path, kinds());

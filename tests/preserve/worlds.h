@@ -4,6 +4,7 @@
 
 #include "evolution/fields/setting_field.h"
 #include "persist/preserve/preserve_file.h"
+#include "persist/sqlite/database.h"
 #include "preserve/laws.h"
 #include "preserve/preserve.h"
 #include "preserve/replay.h"
@@ -17,6 +18,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -156,6 +158,14 @@ inline KeptWorld kept_in(const std::filesystem::path& path, const ExperimentSett
                              world.preserve->take_chronicle(), *world.preserve, kinds());
     REQUIRE(file);
     world.file = *std::move(file);
+    return world;
+}
+
+// Does the same with small_world(), closes the file and changes its tables by SQL.
+inline KeptWorld changed_in(const std::filesystem::path& path, const std::string& changes) {
+    KeptWorld world = kept_in(path, small_world());
+    world.file.reset();
+    Database(path, Database::Access::kWrite).execute(changes);
     return world;
 }
 

@@ -8,8 +8,8 @@ std::vector<std::string> setting_warnings(const ExperimentSettings& settings,
                                           const EvolutionKinds& kinds) {
     std::vector<std::string> warnings;
     const GoalKind* goal = kinds.goals.find(settings.goal);
-    if (goal != nullptr && goal->mismatch != nullptr) {
-        const std::string mismatch = goal->mismatch(settings.world.environment);
+    if (goal != nullptr) {
+        const std::string mismatch = mismatch_of(*goal, settings.world.environment);
         if (!mismatch.empty()) {
             warnings.push_back(
                 fmt::format("[goal] behavior: {} makes little sense in this [environment]: {}.",

@@ -13,7 +13,7 @@ void adopt_defaults(ExperimentSettings& settings, const GoalKind& goal) {
 
 void adopt_possible_goal(ExperimentSettings& settings, const GoalRegistry& goals) {
     const auto is_possible = [&settings](const GoalKind& goal) {
-        return goal.mismatch == nullptr || goal.mismatch(settings.world.environment).empty();
+        return mismatch_of(goal, settings.world.environment).empty();
     };
     const GoalKind* present = goals.find(settings.goal);
     if (present != nullptr && is_possible(*present)) return;

@@ -30,15 +30,17 @@ void check_trial(JsonReader& reader, const ExperimentSettings& settings) {
     reader.require(!excess, "E07", "trial", [&] { return *excess; });
 }
 
-void read_world(JsonReader& reader, WorldText& world, ExperimentSettings& settings,
+void read_world(JsonReader& reader, CreatureText& text, ExperimentSettings& settings,
                 const EvolutionKinds& kinds) {
-    describe_world(reader, world, settings, score_tables(kinds), names_of(kinds.creature.catalog));
+    describe_world(reader, text.opponents, settings, score_tables(kinds),
+                   names_of(kinds.creature.catalog));
     check_trial(reader, settings);
 }
 
-void read_scored(JsonReader& reader, ScoreText& scored, ExperimentSettings& settings,
+void read_scored(JsonReader& reader, CreatureText& text, ExperimentSettings& settings,
                  const EvolutionKinds& kinds) {
-    describe_scored(reader, scored, settings, score_tables(kinds),
+    ScoreText& scored = text.scored.emplace();
+    describe_scored(reader, scored, text.opponents, settings, score_tables(kinds),
                     names_of(kinds.creature.catalog));
     settings.seed = scored.seed;
     check_trial(reader, settings);
@@ -77,13 +79,11 @@ void read_document(JsonReader& reader, CreatureText& text, ExperimentSettings& s
     describe_identity(reader, text, names);
     describe_genes(reader, text.genome, names);
     if (reader.has("scored")) {
-        reader.object("scored", JsonLayout::kLines, [&](JsonReader& inner) {
-            read_scored(inner, text.scored.emplace(), settings, kinds);
-        });
+        reader.object("scored", JsonLayout::kLines,
+                      [&](JsonReader& inner) { read_scored(inner, text, settings, kinds); });
     } else if (reader.has("world")) {
-        reader.object("world", JsonLayout::kLines, [&](JsonReader& inner) {
-            read_world(inner, text.world.emplace(), settings, kinds);
-        });
+        reader.object("world", JsonLayout::kLines,
+                      [&](JsonReader& inner) { read_world(inner, text, settings, kinds); });
     }
     if (reader.has("check")) reader.digest("check", text.check);
     reader.end();
@@ -114,12 +114,11 @@ void finish_genome(Genome& genome, std::uint64_t check, const KindCatalog& catal
     check_genome(genome, "", catalog, errors);
 }
 
-// `table` is the one that has them.
-void finish_opponents(std::vector<Genome>& opponents, const char* table, const KindCatalog& catalog,
-                      ErrorList& errors) {
-    for (std::size_t i = 0; i < opponents.size(); ++i) {
-        repair(opponents[i], catalog);
-        check_genome(opponents[i], fmt::format("/{}/opponents/{}", table, i), catalog, errors);
+void finish_opponents(CreatureText& text, const KindCatalog& catalog, ErrorList& errors) {
+    const char* table = text.scored ? "scored" : "world";
+    for (std::size_t i = 0; i < text.opponents.size(); ++i) {
+        repair(text.opponents[i], catalog);
+        check_genome(text.opponents[i], fmt::format("/{}/opponents/{}", table, i), catalog, errors);
     }
 }
 
@@ -158,14 +157,10 @@ CreatureDocument document_of(CreatureText text, ExperimentSettings settings,
                              std::vector<std::string> warnings) {
     CreatureDocument document;
     document.ancestry = text.ancestry;
-    const auto take_opponents = [&settings](std::vector<Genome>& opponents) {
-        for (Genome& opponent : opponents)
-            settings.world.opponents.genomes.push_back(
-                std::make_shared<const Genome>(std::move(opponent)));
-    };
-    if (text.world) take_opponents(text.world->opponents);
+    for (Genome& opponent : text.opponents)
+        settings.world.opponents.genomes.push_back(
+            std::make_shared<const Genome>(std::move(opponent)));
     if (ScoreText* scored = text.scored ? &*text.scored : nullptr) {
-        take_opponents(scored->opponents);
         document.notes = {.confirmed = scored->confirmed,
                           .unit = std::move(scored->unit),
                           .ticks = std::move(scored->ticks),
@@ -210,8 +205,7 @@ ScoreText score_text(const CreatureDocument& document) {
             .confirmed = document.notes.confirmed,
             .trajectory = document.result().digest,
             .ticks = document.notes.ticks,
-            .finer = document.result().finer,
-            .opponents = opponents_of(document)};
+            .finer = document.result().finer};
 }
 
 // Whether the recorded trial has the motion of the scored one, as far as one trial tells.
@@ -258,9 +252,7 @@ Result<CreatureDocument> parse_creature(std::string_view text, std::string_view 
     if (!errors.empty()) return errors.as_error(source);
     finish_identity(read, errors);
     finish_genome(read.genome, read.check, kinds.creature.catalog, errors);
-    const KindCatalog& catalog = kinds.creature.catalog;
-    if (read.world) finish_opponents(read.world->opponents, "world", catalog, errors);
-    if (read.scored) finish_opponents(read.scored->opponents, "scored", catalog, errors);
+    finish_opponents(read, kinds.creature.catalog, errors);
     if (!errors.empty()) return errors.as_error(source);
     return document_of(std::move(read), std::move(settings), errors.warnings());
 }
@@ -275,15 +267,16 @@ std::string write_creature(const CreatureDocument& document, const EvolutionKind
     identity.ancestry = document.ancestry;
     describe_identity(writer, identity, names);
     describe_genes(writer, document.genome(), names);
+    const std::vector<Genome> opponents = opponents_of(document);
     if (document.scored()) {
         const ScoreText scored = score_text(document);
         writer.object("scored", JsonLayout::kLines, [&](JsonWriter& inner) {
-            describe_scored(inner, scored, document.settings(), score_tables(kinds), names);
+            describe_scored(inner, scored, opponents, document.settings(), score_tables(kinds),
+                            names);
         });
     } else if (document.has_world()) {
-        const WorldText world{opponents_of(document)};
         writer.object("world", JsonLayout::kLines, [&](JsonWriter& inner) {
-            describe_world(inner, world, document.settings(), score_tables(kinds), names);
+            describe_world(inner, opponents, document.settings(), score_tables(kinds), names);
         });
     }
     writer.digest("check", genome_hash(document.genome()));

@@ -63,7 +63,7 @@ struct KindNames {
 
 KindNames names_of(const KindCatalog& catalog);
 
-// The values of a file's table "scored", without its settings.
+// The values of a file's table "scored", without its settings and opponents.
 struct ScoreText {
     std::string simulator{kSimulatorVersion};
     std::uint64_t seed = 0;
@@ -73,12 +73,6 @@ struct ScoreText {
     std::uint64_t trajectory = 0;
     TickChecks ticks = {};
     std::optional<FinerResult> finer;
-    std::vector<Genome> opponents;
-};
-
-// The values of a file's table "world", without its settings.
-struct WorldText {
-    std::vector<Genome> opponents;
 };
 
 // The values of a creature file before they become an individual.
@@ -88,8 +82,8 @@ struct CreatureText {
     std::vector<std::string> parents;
     std::string method;
     std::optional<std::uint64_t> ancestry;
-    std::optional<WorldText> world;
     std::optional<ScoreText> scored;
+    std::vector<Genome> opponents;  // of the trial that scored it or, without a score, of its world
     std::uint64_t check = 0;
 };
 
@@ -325,16 +319,16 @@ void describe_opponents(Archive& archive, Genomes& opponents, const KindNames& n
 }
 
 // The world of a creature without a score.
-template <class Archive, class World, class Settings>
-void describe_world(Archive& archive, World& world, Settings& settings,
+template <class Archive, class Genomes, class Settings>
+void describe_world(Archive& archive, Genomes& opponents, Settings& settings,
                     const std::vector<ScoreTable>& tables, const KindNames& names) {
     archive.type("world");
     describe_settings(archive, settings, tables);
-    describe_opponents(archive, world.opponents, names);
+    describe_opponents(archive, opponents, names);
 }
 
-template <class Archive, class Scored, class Settings>
-void describe_scored(Archive& archive, Scored& scored, Settings& settings,
+template <class Archive, class Scored, class Genomes, class Settings>
+void describe_scored(Archive& archive, Scored& scored, Genomes& opponents, Settings& settings,
                      const std::vector<ScoreTable>& tables, const KindNames& names) {
     archive.type("scored");
     describe_settings(archive, settings, tables);
@@ -348,7 +342,7 @@ void describe_scored(Archive& archive, Scored& scored, Settings& settings,
     archive.optional_bytes("ticks", scored.ticks, kTicksASecond, kMostTickChecks);
     archive.optional_object("recomputed", scored.finer, JsonLayout::kCompact,
                             [](Archive& inner, auto& finer) { describe_finer(inner, finer); });
-    describe_opponents(archive, scored.opponents, names);
+    describe_opponents(archive, opponents, names);
 }
 
 // Appends a document without a score, on one line.

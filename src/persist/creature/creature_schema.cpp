@@ -122,12 +122,13 @@ void describe_creature(JsonSchemaWriter& writer, CreatureText& document,
     ExperimentSettings settings;
     if (writer.has("world")) {
         writer.object("world", JsonLayout::kLines, [&](JsonSchemaWriter& inner) {
-            describe_world(inner, document.world.emplace(), settings, score_tables(kinds), names);
+            describe_world(inner, document.opponents, settings, score_tables(kinds), names);
         });
     }
     if (writer.has("scored")) {
         writer.object("scored", JsonLayout::kLines, [&](JsonSchemaWriter& inner) {
-            describe_scored(inner, document.scored.emplace(), settings, score_tables(kinds), names);
+            describe_scored(inner, document.scored.emplace(), document.opponents, settings,
+                            score_tables(kinds), names);
         });
     }
     if (writer.has("check")) writer.digest("check", 0);

@@ -10,9 +10,10 @@ namespace cambrian {
 namespace {
 
 // Several times the size of the largest genome's text, in bytes.
-constexpr std::size_t kMostText = 500'000;
+constexpr std::int64_t kMostText = 500'000;
 
-Status check_size(std::size_t size) {
+Status check_size(std::int64_t size) {
+    if (size < 0) return Error{"a genotype's size is negative"};
     if (size <= kMostText) return {};
     return Error{fmt::format("genotype too large: {} bytes", size)};
 }
@@ -38,15 +39,15 @@ PackedGenotype GenotypePacker::pack_difference(const Individual& individual,
     return {delta_encoder_.encode(text_, base), text_.size()};
 }
 
-Result<std::string> GenotypeReader::unpack(std::string_view bytes, std::size_t size) {
+Result<std::string> GenotypeReader::unpack(std::string_view bytes, std::int64_t size) {
     if (Status small = check_size(size); !small) return small.error();
-    return inflater_.inflate(bytes, size);
+    return inflater_.inflate(bytes, static_cast<std::size_t>(size));
 }
 
 Result<std::string> GenotypeReader::unpack_difference(std::string_view bytes, std::string_view base,
-                                                      std::size_t size) {
+                                                      std::int64_t size) {
     if (Status small = check_size(size); !small) return small.error();
-    return delta_decoder_.decode(bytes, base, size);
+    return delta_decoder_.decode(bytes, base, static_cast<std::size_t>(size));
 }
 
 Result<GenomePtr> GenotypeReader::parse(std::string_view text) const {
@@ -55,7 +56,7 @@ Result<GenomePtr> GenotypeReader::parse(std::string_view text) const {
     return document->creature.individual->genome;
 }
 
-Result<GenomePtr> GenotypeReader::read(std::string_view bytes, std::size_t size) {
+Result<GenomePtr> GenotypeReader::read(std::string_view bytes, std::int64_t size) {
     const Result<std::string> text = unpack(bytes, size);
     return text ? parse(*text) : text.error();
 }

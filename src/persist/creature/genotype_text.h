@@ -10,6 +10,7 @@
 #include "persist/creature/creature_format.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -40,13 +41,14 @@ private:
 class GenotypeReader {
 public:
     explicit GenotypeReader(const EvolutionKinds& kinds) : kinds_(kinds) {}
-    Result<GenomePtr> read(std::string_view bytes, std::size_t size);
-    Result<GenomePtr> parse(std::string_view text) const;
-    // `size` is the number of bytes of the text.
-    Result<std::string> unpack(std::string_view bytes, std::size_t size);
+    // `size` is the number of bytes of the text, as a file has it. Fails at any that no genotype
+    // has.
+    Result<GenomePtr> read(std::string_view bytes, std::int64_t size);
+    Result<std::string> unpack(std::string_view bytes, std::int64_t size);
     // Does the same with the difference from another genotype's text.
     Result<std::string> unpack_difference(std::string_view bytes, std::string_view base,
-                                          std::size_t size);
+                                          std::int64_t size);
+    Result<GenomePtr> parse(std::string_view text) const;
 
 private:
     const EvolutionKinds& kinds_;

@@ -147,10 +147,7 @@ private:
     }
 
     GenomePtr genotype(const Statement& row, int column) {
-        const std::int64_t size = row.integer(column);
-        if (size < 0) throw DatabaseError("a genotype's size is negative");
-        Result<GenomePtr> genome =
-            genotypes_.read(row.bytes(column + 1), static_cast<std::size_t>(size));
+        Result<GenomePtr> genome = genotypes_.read(row.bytes(column + 1), row.integer(column));
         if (!genome) throw DatabaseError(genome.error().message);
         return *genome;
     }

@@ -10,7 +10,7 @@ namespace {
 constexpr std::int64_t kFirstVersionWithBases = 6;  // of the tables
 
 struct PackedRow {
-    std::size_t size = 0;
+    std::int64_t size = 0;
     std::string bytes;
 };
 
@@ -33,9 +33,7 @@ Result<KeptText> KeptGenotypes::text(std::uint64_t number) {
                                      number, kMostDifferences)};
         select_.bind(next);
         if (!select_.step()) return Error{fmt::format("creature {} is missing", next)};
-        const std::int64_t size = select_.integer(0);
-        if (size < 0) return Error{"a genotype's size is negative"};
-        rows.push_back({static_cast<std::size_t>(size), std::string(select_.bytes(1))});
+        rows.push_back({select_.integer(0), std::string(select_.bytes(1))});
         next = static_cast<std::uint64_t>(select_.integer(2));
         select_.restart();  // a row that is still selected would keep the log from being emptied
     }

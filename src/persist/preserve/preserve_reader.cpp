@@ -45,9 +45,7 @@ std::vector<GenomePtr> read_founders(const Database& database, const EvolutionKi
     Statement row = database.prepare("SELECT size, document FROM founders ORDER BY number");
     while (row.step()) {
         if (founders.size() == kMostFounders) throw DatabaseError("it has too many founders");
-        const std::int64_t size = row.integer(0);
-        if (size < 0) throw DatabaseError("a genotype's size is negative");
-        founders.push_back(sound(genotypes.read(row.bytes(1), static_cast<std::size_t>(size))));
+        founders.push_back(sound(genotypes.read(row.bytes(1), row.integer(0))));
     }
     if (founders.empty()) throw DatabaseError("it has no founders");
     return founders;

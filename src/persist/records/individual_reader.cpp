@@ -116,10 +116,8 @@ GenomePtr IndividualReader::read_genome(std::int64_t id, std::uint64_t hash) {
     if (known != genomes_.end()) return known->second;
     select_genotype_.bind(id);
     if (!select_genotype_.step()) return nullptr;
-    const std::int64_t size = select_genotype_.integer(0);
-    if (size < 0) throw DatabaseError("a genotype's size is negative");
     Result<GenomePtr> genome =
-        genotypes_.read(select_genotype_.bytes(1), static_cast<std::size_t>(size));
+        genotypes_.read(select_genotype_.bytes(1), select_genotype_.integer(0));
     if (!genome) throw DatabaseError(genome.error().message);
     if (genome_hash(**genome) != hash) throw DatabaseError("its genotype is another's");
     genomes_.emplace(id, *genome);

@@ -42,9 +42,7 @@ Opponents read_opponents(const Database& database, std::int64_t settings_row,
     row.bind(settings_row, std::uint64_t{creature_format::kMostOpponents});
     GenotypeReader reader(kinds);
     while (row.step()) {
-        const std::int64_t size = row.integer(0);
-        if (size < 0) throw DatabaseError("an opponent's size is negative");
-        Result<GenomePtr> genome = reader.read(row.bytes(1), static_cast<std::size_t>(size));
+        Result<GenomePtr> genome = reader.read(row.bytes(1), row.integer(0));
         if (!genome) throw DatabaseError(genome.error().message);
         opponents.genomes.push_back(*genome);
     }
