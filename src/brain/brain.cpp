@@ -26,14 +26,18 @@ void Brain::reset() {
 }
 
 void Brain::think(double dt) {
+    double* const values = values_.data();
+    double* const memory = memory_.data();
+    double* const outputs = values + network_->neuron_slot(0);
+    const NetworkNeuron* const neurons = network_->neurons.data();
     for (const std::uint32_t index : network_->order) {
-        const NetworkNeuron& neuron = network_->neurons[index];
+        const NetworkNeuron& neuron = neurons[index];
         std::array<double, 3> inputs{};
         for (std::size_t i = 0; i < neuron.arity; ++i) {
-            inputs[i] = limit_signal(neuron.inputs[i].weight * values_[neuron.inputs[i].slot]);
+            inputs[i] = limit_signal(neuron.inputs[i].weight * values[neuron.inputs[i].slot]);
         }
-        const double result = evaluate_[index](inputs.data(), memory_.data() + neuron.memory, dt);
-        values_[network_->neuron_slot(index)] = limit_signal(result);
+        const double result = evaluate_[index](inputs.data(), memory + neuron.memory, dt);
+        outputs[index] = limit_signal(result);
         if (!forced_.empty()) overwrite(index);
     }
 }

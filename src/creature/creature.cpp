@@ -14,9 +14,12 @@ Creature::Creature(const Phenotype& phenotype, const Kinds& kinds, const SceneSe
       effector_memory_(phenotype.effector_parts.size(), 0.0),
       organ_memory_(phenotype.organs.size(), 0.0) {
     readers_.reserve(phenotype.sensors.size());
-    drives_.reserve(phenotype.effector_kinds.size());
-    for (const std::uint8_t kind : phenotype.effector_kinds)
-        drives_.push_back(kinds.effectors[kind].drive);
+    drivers_.reserve(phenotype.effector_parts.size());
+    for (std::size_t i = 0; i < phenotype.effector_parts.size(); ++i) {
+        const std::size_t part = phenotype.effector_parts[i];
+        drivers_.push_back({kinds.effectors[phenotype.effector_kinds[i]].drive,
+                            {phenotype.plan.parts[part], part}});
+    }
     organ_acts_.reserve(phenotype.organs.size());
     parameter_counts_.reserve(phenotype.organs.size());
     std::size_t sounds = 0, scents = 0;
@@ -83,10 +86,10 @@ void Creature::act(PhysicsScene& scene, const Surroundings& surroundings, double
     const int steps = settings_->brain_steps;
     for (int step = 0; step < steps; ++step)
         brain_.think(dt / steps);
-    for (std::size_t i = 0; i < effector_memory_.size(); ++i) {
-        const std::size_t part = phenotype_->effector_parts[i];
-        drives_[i]({phenotype_->plan.parts[part], part}, brain_.output(i), smoothing_share_,
-                   *settings_, effector_memory_[i], scene);
+    for (std::size_t i = 0; i < drivers_.size(); ++i) {
+        const Driver& driver = drivers_[i];
+        driver.drive(driver.site, brain_.output(i), smoothing_share_, *settings_,
+                     effector_memory_[i], scene);
     }
     use_organs(scene, dt);
 }

@@ -55,6 +55,10 @@ private:
         double scale = 1.0;
         SensorSite site;
     };
+    struct Driver {
+        EffectorKind::Drive drive = nullptr;
+        EffectorSite site;
+    };
 
     void prepare(const BodyView& body, const Surroundings& surroundings, double dt);
     void sense();
@@ -73,7 +77,7 @@ private:
     Brain brain_;
     std::vector<Reader> readers_;                // one per wired sensor; built in the first tick
     std::vector<double> sensor_memory_;          // one per wired sensor
-    std::vector<EffectorKind::Drive> drives_;    // one per effector part
+    std::vector<Driver> drivers_;                // one per effector part
     std::vector<double> effector_memory_;        // one per effector part
     std::vector<OrganKind::Act> organ_acts_;     // one per organ
     std::vector<std::size_t> parameter_counts_;  // one per organ

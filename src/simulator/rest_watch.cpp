@@ -42,11 +42,11 @@ bool RestWatch::memory_rests(std::span<const double> memory) const {
     });
 }
 
-// What moves mostly shows in the first part already.
+// What moves mostly shows in the targets already, or in the first part.
 bool RestWatch::watch(const PhysicsScene& scene, const Brain& brain) {
     const std::span<const double> memory = brain.memory();
     const bool rests =
-        body_rests(scene) && scene.largest_target_change() < kLeastChange && memory_rests(memory);
+        scene.largest_target_change() < kLeastChange && body_rests(scene) && memory_rests(memory);
     std::copy(memory.begin(), memory.end(), before_.begin());
     calm_ticks_ = rests ? calm_ticks_ + 1 : 0;
     return calm_ticks_ >= kRestTicks;

@@ -52,6 +52,7 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
              const TrialWorld& world, Bodies bodies)
     : phenotype_(std::move(phenotype)),
       world_(world),
+      test_length_(static_cast<std::uint64_t>(ticks_in(world.trial.duration))),
       scene_(std::move(bodies.scene)),
       bout_(std::move(bodies.bout)),
       surroundings_(world_.environment, world_.light, phenotype_->rest_length(),
@@ -64,8 +65,7 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
     progress_.record.mass = scene_->mass();
     progress_.record.has_ground = world_.environment.has_ground;
     progress_.record.passive_sink = passive_sink(world_.environment);
-    progress_.record.samples.reserve(
-        static_cast<std::size_t>(ticks_in(world_.trial.duration) / kTicksPerSample) + 2);
+    progress_.record.samples.reserve(test_length_ / kTicksPerSample + 2);
     impacts_.reserve(kMostImpacts);
     if (world_.environment.has_light) progress_.record.legs.reserve(leg_count());
     if (!bout_) place_at_start();
@@ -141,7 +141,7 @@ void Trial::begin_test() {
     }
     watch_jumps();
     sample();
-    if (ticks_in(world_.trial.duration) == 0) finish();
+    if (test_length_ == 0) finish();
 }
 
 double Trial::distance_to_light() const {
@@ -149,9 +149,8 @@ double Trial::distance_to_light() const {
 }
 
 std::size_t Trial::leg_count() const {
-    const auto all = static_cast<std::uint64_t>(ticks_in(world_.trial.duration));
     const std::uint64_t leg = surroundings_.source().leg_ticks();
-    return (all + leg - 1) / leg;
+    return (test_length_ + leg - 1) / leg;
 }
 
 // Moves the light before the creature reads its sensors.
@@ -196,7 +195,7 @@ void Trial::test_tick() {
     if (progress_.finished) return;
     watch_jumps();
     if (surroundings_.source().is_on()) progress_.record.legs.watch(distance_to_light());
-    const bool last = static_cast<int>(progress_.test_ticks) >= ticks_in(world_.trial.duration);
+    const bool last = progress_.test_ticks >= test_length_;
     if (last || progress_.test_ticks % kTicksPerSample == 0) sample();
     if (last) {
         finish();
@@ -206,9 +205,8 @@ void Trial::test_tick() {
 }
 
 void Trial::stop_early(Outcome outcome, std::string reason) {
-    const auto all = static_cast<std::uint64_t>(ticks_in(world_.trial.duration));
-    for (std::uint64_t tick = progress_.test_ticks + 1; tick <= all; ++tick) {
-        if (tick != all && tick % kTicksPerSample != 0) continue;
+    for (std::uint64_t tick = progress_.test_ticks + 1; tick <= test_length_; ++tick) {
+        if (tick != test_length_ && tick % kTicksPerSample != 0) continue;
         MotionSample repeated = progress_.record.samples.back();
         repeated.time = static_cast<double>(tick) * kBrainTick;
         progress_.record.samples.push_back(repeated);
@@ -301,7 +299,7 @@ void Trial::finish() {
     }
     progress_.record.computed_time = time();
     const bool failed = is_invalid(progress_.record.outcome);
-    const double lasted = failed ? time() : ticks_in(world_.trial.duration) * kBrainTick;
+    const double lasted = failed ? time() : static_cast<double>(test_length_) * kBrainTick;
     if (lasted <= 0.0 || progress_.reversals.empty()) return;
     progress_.record.reversal_rate = 0.5 * most / lasted;
     progress_.record.mean_reversal_rate =

@@ -138,6 +138,7 @@ private:
 
     std::shared_ptr<const Phenotype> phenotype_;
     TrialWorld world_;
+    std::uint64_t test_length_;  // ticks
     std::unique_ptr<PhysicsScene> scene_;
     std::unique_ptr<Bout> bout_;
     TrialSurroundings surroundings_;

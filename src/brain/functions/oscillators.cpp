@@ -5,6 +5,7 @@
 #include "brain/functions/families.h"
 #include "math/elementary.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cambrian {
@@ -19,7 +20,7 @@ double fraction(double x) {
 
 // Advances the stored phase; returns the phase plus b, in cycles.
 double advance_phase(const double* in, double* memory, double dt) {
-    const double frequency = std::fmin(std::fabs(in[0]), kMaxFrequency);
+    const double frequency = std::min(std::fabs(in[0]), kMaxFrequency);
     memory[0] = fraction(memory[0] + frequency * dt);
     return memory[0] + in[1];
 }

@@ -53,8 +53,9 @@ double TrialSurroundings::scent(const Vec3& point) const {
 
 void TrialSurroundings::take(const Emissions& emissions, std::span<const SceneImpact> impacts,
                              std::uint64_t tick) {
-    sounds_.assign(emissions.sounds.begin(), emissions.sounds.end());
-    add_noise(impacts, sounds_);
+    sounds_.clear();
+    if (!emissions.sounds.empty()) sounds_.assign(emissions.sounds.begin(), emissions.sounds.end());
+    if (!impacts.empty()) add_noise(impacts, sounds_);
     if (!field_) return;
     for (const Scent& scent : emissions.scents)
         field_->add(scent.place, scent.amount);
