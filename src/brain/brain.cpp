@@ -48,12 +48,6 @@ void Brain::overwrite(std::size_t neuron) {
     }
 }
 
-double Brain::output(std::size_t index) const {
-    CAMBRIAN_TICK_ASSERT(index < network_->outputs.size(), "an output of the network");
-    const NetworkInput& output = network_->outputs[index];
-    return limit_signal(output.weight * values_[output.slot]);
-}
-
 void Brain::force(std::size_t neuron, double value) {
     CAMBRIAN_ASSERT(neuron < network_->neurons.size(), "a neuron of the network");
     release(neuron);

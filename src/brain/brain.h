@@ -1,6 +1,7 @@
 #pragma once
 
 #include "brain/network.h"
+#include "core/assert.h"
 
 #include <cstddef>
 #include <span>
@@ -19,7 +20,11 @@ public:
     std::span<double> sensors() { return {values_.data(), network_->sensor_count}; }
     void think(double dt);
     // Returns the weighted, limited value of one output after think().
-    double output(std::size_t index) const;
+    double output(std::size_t index) const {
+        CAMBRIAN_TICK_ASSERT(index < network_->outputs.size(), "an output of the network");
+        const NetworkInput& output = network_->outputs[index];
+        return limit_signal(output.weight * values_[output.slot]);
+    }
     // Returns the present value of any slot.
     double value(Slot slot) const { return values_[slot]; }
     std::span<const double> values() const { return values_; }

@@ -91,7 +91,7 @@ void Creature::act(PhysicsScene& scene, const Surroundings& surroundings, double
         driver.drive(driver.site, brain_.output(i), smoothing_share_, *settings_,
                      effector_memory_[i], scene);
     }
-    use_organs(scene, dt);
+    if (!organ_acts_.empty()) use_organs(scene, dt);
 }
 
 void Creature::use_organs(PhysicsScene& scene, double dt) {

@@ -159,10 +159,11 @@ private:
     void evaluate_here() const;
     // The body. If it is packed, it gets memory of its own, since something must be known of it.
     SceneBody& body() const {
-        if (body_ == nullptr) unpack_alone();
+        if (body_ == nullptr) [[unlikely]]
+            unpack_alone();
         return *body_;
     }
-    [[gnu::noinline, gnu::cold]] void unpack_alone() const;
+    [[gnu::noinline]] void unpack_alone() const;
     void unpack_into(SceneBody& room) const;
     void pack() const;
 
@@ -208,21 +209,23 @@ void PlanarScene::close() {
 }
 
 Vec2 PlanarScene::arm_of(std::size_t part, double x, double y) const {
-    const int b = body_of(part);
+    const PlanarModel& model = body().model;
+    const int b = model.part_body[checked(part)];
     const Kinematics& k = body().state.cache().kinematics;
-    const double body_x = body().model.part_x[part] + body().model.part_cosine[part] * x -
-                          body().model.part_sine[part] * y;
-    const double body_y = body().model.part_y[part] + body().model.part_sine[part] * x +
-                          body().model.part_cosine[part] * y;
+    const double body_x =
+        model.part_x[part] + model.part_cosine[part] * x - model.part_sine[part] * y;
+    const double body_y =
+        model.part_y[part] + model.part_sine[part] * x + model.part_cosine[part] * y;
     const Simd2d arm = material_arm(k, b, body_x, body_y);
     return {arm[0], arm[1]};
 }
 
 Vec3 PlanarScene::mean_of_trees(const PerCoordinate& coordinates) const {
+    const PlanarModel& model = body().model;
     Vec3 mean = Vec3::Zero();
-    for (int t = 0; t < body().model.tree_count; ++t) {
-        const int center = center_of(body().model, t);
-        const double share = body().model.tree_mass[t] / body().model.total_mass;
+    for (int t = 0; t < model.tree_count; ++t) {
+        const int center = center_of(model, t);
+        const double share = model.tree_mass[t] / model.total_mass;
         mean += share * Vec3(coordinates[center], coordinates[center + 1], 0.0);
     }
     return mean;
@@ -550,9 +553,10 @@ double PlanarScene::energy_under(const Environment& environment) const {
 
 void PlanarScene::list_contacts(std::vector<SceneContact>& contacts) const {
     contacts.clear();
-    const Kinematics& k = body().state.cache().kinematics;
-    for (int c = 0; c < body().state.held_count; ++c) {
-        const HeldContact& held = body().state.held[c];
+    const SimulationState& state = body().state;
+    const Kinematics& k = state.cache().kinematics;
+    for (int c = 0; c < state.held_count; ++c) {
+        const HeldContact& held = state.held[c];
         const int a = held.body_a;
         double point_x = held.point_x;
         double point_y = held.point_y;
@@ -565,8 +569,9 @@ void PlanarScene::list_contacts(std::vector<SceneContact>& contacts) const {
 
 void PlanarScene::list_impacts(std::vector<SceneImpact>& impacts) const {
     impacts.clear();
-    for (int i = 0; i < body().state.impact_count; ++i) {
-        const NotedImpact& noted = body().state.impacts[i];
+    const SimulationState& state = body().state;
+    for (int i = 0; i < state.impact_count; ++i) {
+        const NotedImpact& noted = state.impacts[i];
         if (!(noted.impulse > 0.0)) continue;
         const Vec3 weighted(noted.point_x, noted.point_y, 0.0);
         impacts.push_back({weighted / noted.impulse, noted.part_a, noted.part_b, noted.impulse,
@@ -575,9 +580,10 @@ void PlanarScene::list_impacts(std::vector<SceneImpact>& impacts) const {
 }
 
 void PlanarScene::add_to_digest(Hash64& digest) const {
-    for (int c = 0; c < coordinate_count(body().model); ++c) {
-        digest.add(body().state.motion.position[c]);
-        digest.add(body().state.motion.speed[c]);
+    const SceneBody& own = body();
+    for (int c = 0; c < coordinate_count(own.model); ++c) {
+        digest.add(own.state.motion.position[c]);
+        digest.add(own.state.motion.speed[c]);
     }
 }
 

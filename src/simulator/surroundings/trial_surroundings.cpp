@@ -51,11 +51,10 @@ double TrialSurroundings::scent(const Vec3& point) const {
     return environment_.scentless || !field_ ? 0.0 : field_->at(point);
 }
 
-void TrialSurroundings::take(const Emissions& emissions, std::span<const SceneImpact> impacts,
-                             std::uint64_t tick) {
-    sounds_.clear();
-    if (!emissions.sounds.empty()) sounds_.assign(emissions.sounds.begin(), emissions.sounds.end());
-    if (!impacts.empty()) add_noise(impacts, sounds_);
+void TrialSurroundings::take_all(const Emissions& emissions, std::span<const SceneImpact> impacts,
+                                 std::uint64_t tick) {
+    sounds_.assign(emissions.sounds.begin(), emissions.sounds.end());
+    add_noise(impacts, sounds_);
     if (!field_) return;
     for (const Scent& scent : emissions.scents)
         field_->add(scent.place, scent.amount);

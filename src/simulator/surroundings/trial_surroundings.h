@@ -37,7 +37,11 @@ public:
 
     // Takes what the creature gave off in a tick. It can be smelled from the next tick on. `tick`
     // counts the ticks of the test from 0. Allocates nothing.
-    void take(const Emissions& emissions, std::span<const SceneImpact> impacts, std::uint64_t tick);
+    void take(const Emissions& emissions, std::span<const SceneImpact> impacts,
+              std::uint64_t tick) {
+        const bool nothing = impacts.empty() && emissions.sounds.empty() && sounds_.empty();
+        if (!nothing || field_) take_all(emissions, impacts, tick);
+    }
     // Returns whether the world may still change for a creature that rests.
     bool changes() const;
 
@@ -51,6 +55,8 @@ public:
     void restore(const Moment& moment);
 
 private:
+    void take_all(const Emissions& emissions, std::span<const SceneImpact> impacts,
+                  std::uint64_t tick);
     void find_up();
     void lay_out_field();
 
