@@ -55,6 +55,7 @@ private:
         double scale = 1.0;
         SensorSite site;
     };
+    // An effector and its part.
     struct Driver {
         EffectorKind::Drive drive = nullptr;
         EffectorSite site;

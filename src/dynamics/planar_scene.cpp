@@ -163,6 +163,8 @@ private:
             unpack_alone();
         return *body_;
     }
+    // Not marked cold: with it, gcc would move loops that run every tick into the section of cold
+    // code.
     [[gnu::noinline]] void unpack_alone() const;
     void unpack_into(SceneBody& room) const;
     void pack() const;
@@ -210,7 +212,7 @@ void PlanarScene::close() {
 
 Vec2 PlanarScene::arm_of(std::size_t part, double x, double y) const {
     const PlanarModel& model = body().model;
-    const int b = model.part_body[checked(part)];
+    const int b = body_of(part);
     const Kinematics& k = body().state.cache().kinematics;
     const double body_x =
         model.part_x[part] + model.part_cosine[part] * x - model.part_sine[part] * y;

@@ -18,7 +18,8 @@ import re
 import subprocess
 import sys
 
-BODIES = (3, 6, 12, 24)
+from acceptance import BODIES, WORKLOADS
+
 # A source belongs to the first subject with one of its folders or names.
 SUBJECTS = (
     ("row solver", ("complementarity_solver", "row_factors")),
@@ -58,11 +59,11 @@ def main():
         sys.exit("usage: instruction_shares.py FOLDER")
     folder = pathlib.Path(sys.argv[1])
     print("| % of all instructions (3 / 6 / 12 / 24 bodies) | found |\n|---|---|")
-    for workload in ("air", "swim", "walk"):
+    for workload, name in WORKLOADS.items():
         shares = [shares_of(folder / f"{workload}-{bodies}-cambrian.callgrind") for bodies in BODIES]
         for subject in [subject for subject, _ in SUBJECTS] + [REST]:
             cells = " / ".join(f"{share.get(subject, 0.0):.1f}" for share in shares)
-            print(f"| {workload}, {subject} | {cells} |")
+            print(f"| {name}, {subject} | {cells} |")
 
 
 if __name__ == "__main__":
