@@ -129,10 +129,11 @@ private:
             host_.set_theme(controller_.view().theme);
         const std::vector<KeyPress> pressed = window_.take_keys();
         host_.begin_frame(pressed);
+        const bool typing = ImGuiHost::typing();
         for (const KeyPress& press : pressed) {
             controller_.feedback().log().write("pressed",
                                                {{"key", static_cast<double>(press.key)}});
-            press_shortcut(press, ImGui::GetIO().WantTextInput, context, requests);
+            press_shortcut(press, typing, context, requests);
         }
         for (const std::filesystem::path& path : window_.take_dropped_files())
             controller_.files().carry_out(LoadFile{path});

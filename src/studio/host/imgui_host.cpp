@@ -91,6 +91,10 @@ Result<Image> ImGuiHost::picture(int width, int height,
     return image;
 }
 
+bool ImGuiHost::typing() {
+    return ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
+}
+
 void ImGuiHost::end_frame() {
     ImGui::Render();
     const ImDrawData& data = *ImGui::GetDrawData();

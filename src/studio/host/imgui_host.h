@@ -27,6 +27,9 @@ public:
 
     // Keys pressed since the last frame count even if they were released again.
     void begin_frame(const std::vector<KeyPress>& pressed);
+    // Returns whether a text field gets the keys of this frame. Asked before the panels are drawn,
+    // it is exact; Dear ImGui's WantTextInput holds for one frame after a field was left.
+    static bool typing();
     // Draws the frame into the window's framebuffer. Only changed areas are painted.
     void end_frame();
     // Draws a picture of its own on the panels' background colour. May be called only between
