@@ -123,6 +123,7 @@ class RescoredExperiment(ProgramTest):
         self.path = self.folder / "a.cambrian"
 
     def test_everyone_is_judged_again_in_the_next_generation_and_the_replay_holds(self):
+        self.make_older()
         before = digests(self.path)
         told = self.run_well("rescore", "a.cambrian").stdout
         self.assertRegex(told, r"best of generation 3 (\S+) BL/s by simulator .*; "
@@ -138,9 +139,18 @@ class RescoredExperiment(ProgramTest):
         self.assertIn("6 of 6 generations, 1 commands",
                       self.run_well("verify", "a.cambrian").stdout)
 
-    def test_an_experiment_of_another_simulator_says_so_until_it_is_rescored(self):
+    def make_older(self):
+        """Writes into the experiment that another simulator computed it."""
         with opened(self.path) as database:
             database.execute("UPDATE simulators SET version = '0.9'")
+
+    def test_an_experiment_of_this_simulator_is_left_as_it_is(self):
+        before = self.path.read_bytes()
+        self.assertIn("unchanged", self.run_well("rescore", "a.cambrian").stdout)
+        self.assertEqual(self.path.read_bytes(), before)
+
+    def test_an_experiment_of_another_simulator_says_so_until_it_is_rescored(self):
+        self.make_older()
         self.assertEqual(self.champions_simulator(), "0.9")
         resumed = self.run_well("evolve", "--resume", "a.cambrian", "-n", 4)
         self.assertIn("scored by simulator 0.9, this is ", resumed.stderr)

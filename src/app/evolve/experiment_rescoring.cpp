@@ -1,5 +1,7 @@
 #include "app/evolve/experiment_rescoring.h"
 
+#include "persist/creature/rescoring.h"
+
 #include <algorithm>
 
 namespace cambrian {
@@ -14,14 +16,15 @@ std::optional<double> score_of(std::uint64_t uid, const std::vector<IndividualPt
 
 }  // namespace
 
-Result<RescoredExperiment> rescore_experiment(const std::filesystem::path& path,
-                                              const EvolutionKinds& kinds,
-                                              EvaluationBackend& backend,
-                                              const std::stop_token& stop) {
+Result<std::optional<RescoredExperiment>> rescore_experiment(const std::filesystem::path& path,
+                                                             const EvolutionKinds& kinds,
+                                                             EvaluationBackend& backend,
+                                                             const std::stop_token& stop) {
     const Result<OpenedExperiment> opened = open_experiment(path, kinds);
     if (!opened) return opened.error();
     const SavedExperiment& saved = opened->saved;
     if (!saved.latest) return Error{path.string() + ": no generation has been finished yet"};
+    if (!other_simulator(saved)) return std::optional<RescoredExperiment>();
     Evolution evolution = resumed(saved, kinds);
     evolution.rescore();
     EvaluationProgress progress;
@@ -32,11 +35,12 @@ Result<RescoredExperiment> rescore_experiment(const std::filesystem::path& path,
         return noted.error();
     if (const Status kept = file.record(evolution); !kept) return kept.error();
     const JudgedIndividual& before = saved.champions.back();
-    return RescoredExperiment{.simulator = saved.simulators.back().version,
-                              .before = before,
-                              .again = score_of(before.individual->uid, evolution.population()),
-                              .after = {evolution.generation(), evolution.population().front(),
-                                        evolution.shared_settings()}};
+    return std::optional(
+        RescoredExperiment{.simulator = saved.simulators.back().version,
+                           .before = before,
+                           .again = score_of(before.individual->uid, evolution.population()),
+                           .after = {evolution.generation(), evolution.population().front(),
+                                     evolution.shared_settings()}});
 }
 
 }  // namespace cambrian

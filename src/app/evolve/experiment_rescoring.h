@@ -18,12 +18,13 @@ struct RescoredExperiment {
     JudgedIndividual after;       // best creature of the generation evaluated now
 };
 
-// Evaluates all creatures of the present generation, survivors included, and adds it to the file
-// with the command in its journal. Fails without changing the experiment if it has no finished
-// generation or if a stop is requested.
-Result<RescoredExperiment> rescore_experiment(const std::filesystem::path& path,
-                                              const EvolutionKinds& kinds,
-                                              EvaluationBackend& backend,
-                                              const std::stop_token& stop);
+// Breeds the next generation, evaluates all its creatures, survivors included, and adds it to the
+// file with the command in its journal. Does nothing, and returns nothing, if this version of the
+// simulator gave all scores of the last generation. Fails without changing the experiment if it has
+// no finished generation or if a stop is requested.
+Result<std::optional<RescoredExperiment>> rescore_experiment(const std::filesystem::path& path,
+                                                             const EvolutionKinds& kinds,
+                                                             EvaluationBackend& backend,
+                                                             const std::stop_token& stop);
 
 }  // namespace cambrian

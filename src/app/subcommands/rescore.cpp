@@ -24,22 +24,30 @@ std::string score_text(const CreatureDocument& document) {
                        document.notes.simulator);
 }
 
-ExitStatus rescore_run(const std::string& file, const EvolutionKinds& kinds, LongWork& work) {
-    work.begin("judging again", 1, "generation");
-    const auto backend = make_thread_pool_backend(kinds, ThreadPool::default_workers());
-    const Result<RescoredExperiment> done = rescore_experiment(file, kinds, *backend, work.stop());
-    if (!done)
-        return fail(done.error(), work.interrupted() ? ExitStatus::kFailed : ExitStatus::kBadInput);
-    const std::string& unit = kinds.goals.find(done->after.settings->goal)->unit;
+// Example: "best of generation 8 1.3 BL/s by simulator 1.1; best of generation 7 1.2 BL/s by
+// simulator 1.0, now 1.25 BL/s".
+std::string words_for(const RescoredExperiment& done, const EvolutionKinds& kinds) {
+    const std::string& unit = kinds.goals.find(done.after.settings->goal)->unit;
     const auto best_of = [&](const JudgedIndividual& champion, std::string_view simulator) {
         return fmt::format("best of generation {} {} {} by simulator {}", champion.generation,
                            short_text(unconfirmed_score(champion.individual->result)), unit,
                            simulator);
     };
-    std::string words = fmt::format("{}: {}; {}", file, best_of(done->after, kSimulatorVersion),
-                                    best_of(done->before, done->simulator));
-    if (done->again) words += fmt::format(", now {} {}", short_text(*done->again), unit);
-    return print_result_line(words);
+    const std::string words = fmt::format("{}; {}", best_of(done.after, kSimulatorVersion),
+                                          best_of(done.before, done.simulator));
+    return done.again ? fmt::format("{}, now {} {}", words, short_text(*done.again), unit) : words;
+}
+
+ExitStatus rescore_run(const std::string& file, const EvolutionKinds& kinds, LongWork& work) {
+    work.begin("judging again", 1, "generation");
+    const auto backend = make_thread_pool_backend(kinds, ThreadPool::default_workers());
+    const auto done = rescore_experiment(file, kinds, *backend, work.stop());
+    if (!done)
+        return fail(done.error(), work.interrupted() ? ExitStatus::kFailed : ExitStatus::kBadInput);
+    if (!done->has_value())
+        return print_result_line(
+            fmt::format("{}: unchanged, scored by simulator {}", file, kSimulatorVersion));
+    return print_result_line(fmt::format("{}: {}", file, words_for(**done, kinds)));
 }
 
 class RescoreSubcommand final : public Subcommand {
@@ -48,7 +56,7 @@ public:
         app.add_option(
                "creatures", files_,
                "Creature files, which are replaced, or experiment files, whose creatures are "
-               "judged again as the next generation")
+               "judged again in the next generation")
             ->type_name(option_type::kCreatureOrExperiment)
             ->required();
         app.add_option("-o,--out", out_,
