@@ -10,7 +10,8 @@
 #   clang-avx2   clang, free to use AVX2; multiply and add stay two roundings
 #   old-cpu      the very program of `release` on an emulated Core 2 of 2006, which has no AVX: whatever
 #                is chosen by processor is chosen differently there
-#   aarch64      gcc for 64-bit ARM, emulated: other instructions, another libm, unsigned char
+#   aarch64      gcc for 64-bit ARM, less optimised, emulated: other instructions, another libm,
+#                unsigned char
 #
 #   everywhere.sh [PLATFORM...]     all of them, unless some are named
 #
