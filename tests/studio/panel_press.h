@@ -49,8 +49,7 @@ struct PanelRun {
     // Returns the requests of this click, which are also collected.
     Requests click(const std::string& name, int button = 0) {
         Requests asked = test::click(gui, panel, studio, name, button);
-        for (const StudioRequest& request : asked.all())
-            std::visit([this](const auto& each) { out.ask(each); }, request);
+        ask_again(asked, out);
         return asked;
     }
     Requests press_key(ImGuiKey key) { return test::press_key(gui, panel, studio, key); }

@@ -142,19 +142,15 @@ private:
 // Returns the request if it is of this kind, otherwise null.
 template <class Kind>
 const Kind* request_if(const StudioRequest& request) {
-    return std::visit(
-        [](const auto& subject) -> const Kind* {
-            return std::visit(
-                [](const auto& each) -> const Kind* {
-                    if constexpr (std::is_same_v<std::decay_t<decltype(each)>, Kind>) {
-                        return &each;
-                    } else {
-                        return nullptr;
-                    }
-                },
-                subject);
-        },
-        request);
+    const auto* subject = std::get_if<SubjectOf<Kind>>(&request);
+    return subject == nullptr ? nullptr : std::get_if<Kind>(subject);
+}
+
+// Makes the same requests.
+inline void ask_again(const Requests& requests, Requests& out) {
+    const auto ask = [&out](const auto& request) { out.ask(request); };
+    for (const StudioRequest& request : requests.all())
+        std::visit([&ask](const auto& subject) { std::visit(ask, subject); }, request);
 }
 
 // Returns the last request of a kind; the test fails if there is none.

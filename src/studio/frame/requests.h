@@ -14,6 +14,7 @@
 #include "studio/preserve/preserve_contract.h"
 #include "studio/viewer/viewer_contract.h"
 
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -24,18 +25,36 @@ using StudioRequest = std::variant<ViewerRequest, ExperimentRequest, Generations
                                    PickingRequest, PreserveRequest, FilesRequest, GuideRequest,
                                    MachinesRequest, ComparisonRequest, WindowRequest>;
 
+namespace request_detail {
+
+template <class Kind, class Variant>
+inline constexpr bool kIsAlternative = false;
+template <class Kind, class... Kinds>
+inline constexpr bool kIsAlternative<Kind, std::variant<Kinds...>> = (std::is_same_v<Kind, Kinds> ||
+                                                                      ...);
+
+template <class Kind, class Subjects>
+struct Subject;
+template <class Kind, class First, class... Others>
+struct Subject<Kind, std::variant<First, Others...>>
+    : std::conditional_t<kIsAlternative<Kind, First>, std::type_identity<First>,
+                         Subject<Kind, std::variant<Others...>>> {};
+
+}  // namespace request_detail
+
+// The subject's variant that has this kind of request.
+template <class Kind>
+using SubjectOf = typename request_detail::Subject<Kind, StudioRequest>::type;
+
 class Requests {
 public:
-    void ask(ViewerRequest request) { all_.emplace_back(std::move(request)); }
-    void ask(ExperimentRequest request) { all_.emplace_back(std::move(request)); }
-    void ask(GenerationsRequest request) { all_.emplace_back(std::move(request)); }
-    void ask(PickingRequest request) { all_.emplace_back(std::move(request)); }
-    void ask(PreserveRequest request) { all_.emplace_back(std::move(request)); }
-    void ask(FilesRequest request) { all_.emplace_back(std::move(request)); }
-    void ask(GuideRequest request) { all_.emplace_back(std::move(request)); }
-    void ask(MachinesRequest request) { all_.emplace_back(std::move(request)); }
-    void ask(ComparisonRequest request) { all_.emplace_back(std::move(request)); }
-    void ask(WindowRequest request) { all_.emplace_back(request); }
+    // The subject is found by the exact kind, which the compiler does sooner than to try every
+    // variant's conversions.
+    template <class Kind>
+    void ask(Kind request) {
+        all_.emplace_back(std::in_place_type<SubjectOf<Kind>>, std::in_place_type<Kind>,
+                          std::move(request));
+    }
 
     const std::vector<StudioRequest>& all() const { return all_; }
     std::vector<StudioRequest> take() { return std::exchange(all_, {}); }
