@@ -12,7 +12,7 @@ from kept_runs import digests_of_run
 from nats_server import PLAIN, NatsServer
 from program import CAMBRIAN, ProgramTest
 
-GENERATIONS = 12
+GENERATIONS = 8
 MOST_RUNS = 6
 
 # The run lasts some seconds on a core, long enough for workers to join.

@@ -12,7 +12,7 @@ size = 30
 duration = 6
 """
 COMPARISON = ("compare", "--world", "world.toml", "--sweep", "selection.survival=0.1,0.3",
-              "--seeds", "1..2", "--trials", 150)
+              "--seeds", "1..2", "--trials", 90)
 
 
 class CompareOnSeveralMachines(ClusterTest):

@@ -38,7 +38,7 @@ class SameBits(StudioTest):
         self.assert_recorded(self.folder / "a.cambrian")
 
     def test_in_the_window_it_is_the_same_run(self):
-        display = self.open_display()
+        display = self.open_display(painted=False)
         self.start(display, SETTINGS)
         self.click("Evolve")
         self.wait_for("generation", number=GENERATIONS - 1)

@@ -89,7 +89,7 @@ class StudioOnSeveralMachines(StudioTest):
         self.write("cluster.toml", SETTINGS)
         server = self.start_server()
         self.start_worker(server, "lab-0")
-        display = self.open_display()
+        display = self.open_display(painted=False)
         self.start(display, "cluster.toml", "--cluster", server.url)
         self.wait_for("machines", machines=2, link="connected")
         self.quit()

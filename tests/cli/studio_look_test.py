@@ -49,7 +49,7 @@ def place_faults(places):
 
 
 class StudioLook(StudioTest):
-    frame_rate = 15  # all keys are held
+    frame_rate = 10  # all keys are held
 
     def test_everything_looks_right_at_1280x720(self):
         self.look_at_everything(1280, 720, 1, painted=True)
@@ -75,9 +75,7 @@ class StudioLook(StudioTest):
         self.faults = []
         self.write("run.toml", RUN)
         self.write("cut.creature.json", '{"format": "cambrian-creature", "ver')
-        display = self.open_display(width, height)
-        if not (painted or KEEPS_PICTURES):
-            display.environment["LP_NO_RAST"] = "1"  # the graphics driver leaves pixels out
+        display = self.open_display(width, height, painted or KEEPS_PICTURES)
         self.start(display, "run.toml", "--width", width, "--height", height, "--scale", scale)
         for number in range(3):
             self.press("g")
@@ -250,7 +248,7 @@ class StudioLook(StudioTest):
     def keys(self, *names):
         for name in names:
             keys = name.split("+")
-            self.display.tool(*[word for key in keys for word in ["keydown", key]], "sleep", 0.08,
+            self.display.tool(*[word for key in keys for word in ["keydown", key]], "sleep", 0.11,
                               *[word for key in reversed(keys) for word in ["keyup", key]])
             time.sleep(0.05)
 
@@ -269,10 +267,10 @@ class StudioLook(StudioTest):
 
     def tap(self, name):
         self.point_at(name)
-        self.display.tool("mousedown", 1, "sleep", 0.08, "mouseup", 1, "sleep", 0.15)
+        self.display.tool("mousedown", 1, "sleep", 0.11, "mouseup", 1, "sleep", 0.15)
 
     def tap_nowhere(self):
-        self.display.tool("mousemove", *self.corner, "sleep", 0.1, "mousedown", 1, "sleep", 0.08,
+        self.display.tool("mousemove", *self.corner, "sleep", 0.1, "mousedown", 1, "sleep", 0.11,
                           "mouseup", 1)
         self.wait_until(lambda: not any(place["panel"].startswith("##")
                                         for place in self.seen().values()), "the menu stays")

@@ -162,7 +162,7 @@ class StudioPreserve(StudioTest):
         self.run_well("verify", kept)
 
     def test_pins_are_inherited_and_kept(self):
-        display = self.open_display()
+        display = self.open_display(painted=False)
         after = self.begin(display)
         self.press("space")
         _, after = self.state(after, playing=False)
@@ -211,7 +211,7 @@ class StudioPreserve(StudioTest):
         return self.wait_for(event, after=after, **wanted)
 
     def test_a_world_is_played_and_changed_by_keys_alone(self):
-        display = self.open_display()
+        display = self.open_display(painted=False)
         after = self.begin(display)
         display.tool("mousemove", 2, 2)
         paused, after = self.press_for("space", "world", after, playing=False)
@@ -250,7 +250,7 @@ class StudioPreserve(StudioTest):
         self.run_well("verify", self.folder / "state" / "preserve.cambrian")
 
     def test_a_preserve_goes_back_to_a_snapshot_and_is_kept_elsewhere(self):
-        display = self.open_display()
+        display = self.open_display(painted=False)
         after = self.begin(display)
         self.press("space")
         _, after = self.state(after, playing=False)

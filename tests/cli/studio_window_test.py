@@ -156,7 +156,7 @@ class StudioWindow(StudioTest):
         champions and picking tree, and the journal gives the same bits."""
         state = self.folder / "state"
         self.write("small.toml", SMALL)
-        display = self.open_display()
+        display = self.open_display(painted=False)
         self.start(display, "small.toml")
         self.click("Evolve")
         _, after = self.wait_for("generation", number=1)
@@ -209,7 +209,7 @@ class StudioWindow(StudioTest):
     def test_a_window_killed_at_any_moment_loses_one_generation_at_most(self):
         kept_file = self.folder / "state" / "experiment.cambrian"
         self.write("small.toml", SMALL)
-        display = self.open_display()
+        display = self.open_display(painted=False)
         self.start(display, "small.toml")
         self.click("Evolve")
         self.wait_for("generation", number=1)
@@ -324,7 +324,7 @@ class StudioWindow(StudioTest):
         self.assertEqual(self.files(), ["messages.txt", "status.log"])
 
     def test_the_viewer_needs_no_write_access(self):
-        display = self.open_display()
+        display = self.open_display(painted=False)
         shutil.copy(ROOT / "assets/creatures/walker.creature.json", self.folder)
         self.forbid_writing()
         before = self.files()
