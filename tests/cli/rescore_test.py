@@ -139,11 +139,6 @@ class RescoredExperiment(ProgramTest):
         self.assertIn("6 of 6 generations, 1 commands",
                       self.run_well("verify", "a.cambrian").stdout)
 
-    def make_older(self):
-        """Writes into the experiment that another simulator computed it."""
-        with opened(self.path) as database:
-            database.execute("UPDATE simulators SET version = '0.9'")
-
     def test_an_experiment_of_this_simulator_is_left_as_it_is(self):
         before = self.path.read_bytes()
         self.assertIn("unchanged", self.run_well("rescore", "a.cambrian").stdout)
@@ -159,6 +154,11 @@ class RescoredExperiment(ProgramTest):
         self.assertNotEqual(self.champions_simulator(), "0.9")
         resumed = self.run_well("evolve", "--resume", "a.cambrian", "-n", 6)
         self.assertNotIn("0.9", resumed.stderr)
+
+    def make_older(self):
+        """Writes into the experiment that another simulator computed it."""
+        with opened(self.path) as database:
+            database.execute("UPDATE simulators SET version = '0.9'")
 
     def champions_simulator(self):
         exported = self.run_well("export", "a.cambrian", "--champion").stdout

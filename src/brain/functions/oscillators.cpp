@@ -14,7 +14,8 @@ namespace {
 // Hz; higher frequencies would shake joints rather than move them.
 constexpr double kMaxFrequency = 4.0;
 
-// A phase seldom passes 1, and most machines have to call a function for std::floor().
+// A phase seldom passes 1, and a program for every x86-64 processor has to call a function for
+// std::floor().
 double fraction(double x) {
     if (x >= 0.0 && x < 1.0) return x;
     return x - std::floor(x);
