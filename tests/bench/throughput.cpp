@@ -1,5 +1,7 @@
 // The speed of evolution: evaluations per hour and core, the time that cores wait for one another
-// at the end of a generation, and the cost of an evaluation besides physics.
+// at the end of a generation, and the cost of an evaluation besides physics. Other versions of the
+// simulator breed other creatures from the same seed, so versions are compared on creatures from
+// files.
 #include "app/builtin_kinds.h"
 #include "bench/evaluation_cost.h"
 #include "bench/write_table.h"
@@ -8,14 +10,18 @@
 #include "evolution/evaluation/longest_first.h"
 #include "evolution/evaluation/trials.h"
 #include "evolution/evolution.h"
+#include "persist/creature/creature_file.h"
 #include "persist/settings/settings_file.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <filesystem>
 #include <numeric>
+#include <system_error>
 #include <vector>
 
 using namespace cambrian;
@@ -47,7 +53,8 @@ public:
             },
             std::move(stop));
         wall_ += whole.seconds();
-        evaluations_ += requests.size();
+        for (const EvaluationRequest& request : requests)
+            genomes_.push_back(request.genome);
         return complete;
     }
 
@@ -55,7 +62,8 @@ public:
     double busy() const { return std::accumulate(busy_.begin(), busy_.end(), 0.0); }
     double longest() const { return longest_; }
     std::size_t workers() const { return pool_.workers(); }
-    std::size_t evaluations() const { return evaluations_; }
+    std::size_t evaluations() const { return genomes_.size(); }
+    const std::vector<GenomePtr>& genomes() const { return genomes_; }
 
 private:
     const EvolutionKinds& kinds_;
@@ -63,11 +71,13 @@ private:
     std::vector<double> busy_;  // s, one per worker
     std::atomic<double> longest_ = 0.0;
     double wall_ = 0.0;
-    std::size_t evaluations_ = 0;
+    std::vector<GenomePtr> genomes_;  // of all evaluations
 };
 
 struct Options {
     std::string settings;
+    std::filesystem::path creatures;
+    std::filesystem::path keep;
     int generations = 5;
     int size = 300;
     std::size_t threads = 2;
@@ -93,14 +103,10 @@ void report_generations(const TimedBackend& backend, double breeding) {
                 100.0 * breeding / (breeding + backend.wall()));
 }
 
-bench::EvaluationCost cost_of(const std::vector<IndividualPtr>& population,
-                              const ExperimentSettings& settings, const EvolutionKinds& kinds) {
-    bench::EvaluationCost sum;
-    for (const IndividualPtr& individual : population) {
-        if (individual->result.outcome == Outcome::kCompleted)
-            sum += bench::measure_cost(*individual->genome, settings, kinds);
-    }
-    return sum;
+void add_cost(const GenomePtr& genome, const EvaluationResult& result,
+              const ExperimentSettings& settings, const EvolutionKinds& kinds,
+              bench::EvaluationCost& sum) {
+    if (result.outcome == Outcome::kCompleted) sum += bench::measure_cost(*genome, settings, kinds);
 }
 
 double percent_not_physics(const bench::EvaluationCost& cost) {
@@ -124,16 +130,10 @@ std::string csv_of(const TimedBackend& backend, const bench::EvaluationCost& cos
     return text;
 }
 
-int run(const Options& options) {
-    const EvolutionKinds kinds = builtin_kinds();
-    Result<ExperimentSettings> settings = load_settings(options.settings, kinds);
-    if (!settings) {
-        std::fprintf(stderr, "%s\n", settings.error().message.c_str());
-        return 2;
-    }
-    settings->population.size = options.size;
-    TimedBackend backend(kinds, options.threads);
-    Evolution evolution(std::make_shared<const ExperimentSettings>(*settings), kinds);
+// Returns the cost of the last generation's creatures.
+bench::EvaluationCost evolve(const Options& options, const ExperimentSettings& settings,
+                             const EvolutionKinds& kinds, TimedBackend& backend) {
+    Evolution evolution(std::make_shared<const ExperimentSettings>(settings), kinds);
     EvaluationProgress progress;
     double breeding = 0.0;
     for (int i = 0; i < options.generations; ++i) {
@@ -145,7 +145,80 @@ int run(const Options& options) {
         evolution.evaluate(backend, progress, {});
     }
     report_generations(backend, breeding);
-    const bench::EvaluationCost cost = cost_of(evolution.population(), *settings, kinds);
+    bench::EvaluationCost cost;
+    for (const IndividualPtr& one : evolution.population())
+        add_cost(one->genome, one->result, settings, kinds, cost);
+    return cost;
+}
+
+Result<std::vector<GenomePtr>> load_genomes(const std::filesystem::path& folder,
+                                            const EvolutionKinds& kinds) {
+    std::vector<std::filesystem::path> paths;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        paths.push_back(entry.path());
+    std::sort(paths.begin(), paths.end());
+    std::vector<GenomePtr> genomes;
+    for (const std::filesystem::path& path : paths) {
+        auto document = load_creature(path, kinds);
+        if (!document) return document.error();
+        genomes.push_back(document->creature.individual->genome);
+    }
+    if (genomes.empty()) return Error{folder.string() + ": no creature"};
+    return genomes;
+}
+
+bench::EvaluationCost evaluate(const std::vector<GenomePtr>& genomes,
+                               const ExperimentSettings& settings, const EvolutionKinds& kinds,
+                               TimedBackend& backend) {
+    std::vector<EvaluationRequest> requests;
+    for (const GenomePtr& genome : genomes)
+        requests.push_back({.genome = genome, .trial_seed = trial_seed(settings)});
+    std::vector<std::optional<EvaluationResult>> results(requests.size());
+    EvaluationProgress progress;
+    backend.evaluate(requests, results, settings, progress, {});
+    report_generations(backend, 0.0);
+    bench::EvaluationCost cost;
+    for (std::size_t i = 0; i < genomes.size(); ++i)
+        add_cost(genomes[i], *results[i], settings, kinds, cost);
+    return cost;
+}
+
+Status save_genomes(const std::filesystem::path& folder, const std::vector<GenomePtr>& genomes,
+                    const EvolutionKinds& kinds) {
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure) return Error{folder.string() + ": " + failure.message()};
+    for (std::size_t i = 0; i < genomes.size(); ++i) {
+        const CreatureDocument document{.creature = unjudged(genomes[i])};
+        const auto path = folder / fmt::format("{:05}.creature.json", i);
+        if (const Status saved = save_creature(path, document, kinds); !saved) return saved;
+    }
+    return {};
+}
+
+int refuse(const Error& error) {
+    std::fprintf(stderr, "%s\n", error.message.c_str());
+    return 2;
+}
+
+int run(const Options& options) {
+    const EvolutionKinds kinds = builtin_kinds();
+    Result<ExperimentSettings> settings = load_settings(options.settings, kinds);
+    if (!settings) return refuse(settings.error());
+    settings->population.size = options.size;
+    TimedBackend backend(kinds, options.threads);
+    bench::EvaluationCost cost;
+    if (options.creatures.empty()) {
+        cost = evolve(options, *settings, kinds, backend);
+    } else {
+        const auto genomes = load_genomes(options.creatures, kinds);
+        if (!genomes) return refuse(genomes.error());
+        cost = evaluate(*genomes, *settings, kinds, backend);
+    }
+    if (!options.keep.empty()) {
+        const Status saved = save_genomes(options.keep, backend.genomes(), kinds);
+        if (!saved) return refuse(saved.error());
+    }
     report_costs(cost);
     return bench::write_table(options.csv_path, csv_of(backend, cost));
 }
@@ -161,6 +234,12 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 1000));
     app.add_option("--size", options.size, "Creatures a generation")->check(CLI::Range(2, 20000));
     app.add_option("-t,--threads", options.threads, "Threads")->check(CLI::Range(1, 1024));
+    app.add_option("--creatures", options.creatures,
+                   "Folder of creature files to evaluate instead of an evolution")
+        ->check(CLI::ExistingDirectory)
+        ->excludes("--generations", "--size");
+    app.add_option("--keep", options.keep,
+                   "Folder to save every evaluated creature in, for --creatures");
     app.add_option("--csv", options.csv_path, "File to write the figures to");
     CLI11_PARSE(app, argc, argv);
     return run(options);
