@@ -153,8 +153,11 @@ bench::EvaluationCost evolve(const Options& options, const ExperimentSettings& s
 
 Result<std::vector<GenomePtr>> load_genomes(const std::filesystem::path& folder,
                                             const EvolutionKinds& kinds) {
+    std::error_code failure;
+    const std::filesystem::directory_iterator entries(folder, failure);
+    if (failure) return Error{folder.string() + ": " + failure.message()};
     std::vector<std::filesystem::path> paths;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
+    for (const auto& entry : entries)
         paths.push_back(entry.path());
     std::sort(paths.begin(), paths.end());
     std::vector<GenomePtr> genomes;
