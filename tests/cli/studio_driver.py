@@ -83,7 +83,7 @@ class StudioTest(ProgramTest):
     frame_rate = 12
 
     def open_display(self, width=1280, height=800, painted=True):
-        """If not painted, the graphics driver leaves pixels out, which saves a third of the time."""
+        """Unless painted, the graphics driver omits pixels, which saves a quarter of the time."""
         display = Display(width, height)
         if not painted:
             display.environment["LP_NO_RAST"] = "1"
