@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cambrian {
 namespace {
@@ -142,12 +143,10 @@ double ComplementaritySolver::sweep_once(ConstraintSystem& rows, double friction
         const double diagonal = rows.coupling(r, r);
         const double old = rows.impulse[r];
         double impulse = old - rates_[r] / diagonal;
-        if (row.kind == RowKind::kFriction) {
-            const double cap = friction * std::max(0.0, load_[r]);
-            impulse = std::clamp(impulse, -cap, cap);
-        } else {
-            impulse = std::max(impulse, 0.0);
-        }
+        const bool rubs = row.kind == RowKind::kFriction;
+        const double cap = friction * std::max(0.0, load_[r]);
+        impulse = std::max(impulse, rubs ? -cap : 0.0);
+        impulse = std::min(impulse, rubs ? cap : std::numeric_limits<double>::infinity());
         const double change = impulse - old;
         if (change == 0.0) continue;
         if (row.friction_of >= 0) load_[row.friction_of] += change;

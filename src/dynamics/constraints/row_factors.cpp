@@ -73,17 +73,28 @@ template <int kFixed>
     }
 }
 
-// Solves the equations of the blocks up to kBlock; the solution of those above is known.
+void clear(int slots, double* vector) {
+    for (int i = 0; i < slots; i += kLanes)
+        store_lanes(vector + i, Simd4d{});
+}
+
+// Solves the equations of the blocks up to kBlock; the solution of those above is known. A block is
+// kept in a register, because a vector is not loaded quickly soon after one of its lanes is stored.
 template <int kBlock, int kFixed>
 CAMBRIAN_INLINE void substitute_to(const Lines<kFixed, const double>& lines, double* solution) {
     if constexpr (kBlock >= 0) {
         const int first = kBlock * kLanes;
-        for (int i = std::min(lines.count, first + kLanes) - 1; i >= first; --i) {
+        Simd4d block = {};
+        for (int lane = kLanes - 1; lane >= 0; --lane) {
+            const int i = first + lane;
+            if (i >= lines.count) continue;
             const double* line = lines[i];
-            const double known =
-                lane_product(line + first, solution + first, (kFixed - kBlock) * kLanes);
-            solution[i] = (line[lines.count] - known) * line[i];
+            Simd4d known = load_lanes(line + first) * block;
+            for (int b = kBlock + 1; b < kFixed; ++b)
+                known += load_lanes(line + b * kLanes) * load_lanes(solution + b * kLanes);
+            block[lane] = (line[lines.count] - sum_of(known)) * line[i];
         }
+        store_lanes(solution + first, block);
         substitute_to<kBlock - 1>(lines, solution);
     }
 }
@@ -93,6 +104,7 @@ template <int kFixed>
     if constexpr (kFixed > 0) {
         substitute_to<kFixed - 1>(lines, solution);
     } else {
+        clear(lines.stride(), solution);
         for (int i = lines.count - 1; i >= 0; --i) {
             const double* line = lines[i];
             const int first = i / kLanes * kLanes;
@@ -121,11 +133,6 @@ CAMBRIAN_INLINE Simd2d products(const double* line, int first_block, int end_blo
     return sums_of(sums[0], sums[1]);
 }
 
-void clear(int slots, double* vector) {
-    for (int i = 0; i < slots; i += kLanes)
-        store_lanes(vector + i, Simd4d{});
-}
-
 }  // namespace
 
 bool RowFactors::factorize(const PerEquation& least_pivots) {
@@ -137,7 +144,6 @@ bool RowFactors::factorize(const PerEquation& least_pivots) {
 
 void RowFactors::substitute(PerEquation& solution) const {
     CAMBRIAN_TICK_ASSERT(lost_ == count_, "the factors are complete");
-    clear(stride_, solution);
     with_fixed_blocks(stride_ / kLanes, [&](auto fixed) {
         substitute_in(Lines<fixed(), const double>{count_, stride_ / kLanes, lines_}, solution);
     });

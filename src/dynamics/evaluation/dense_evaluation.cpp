@@ -38,8 +38,8 @@ public:
             invert();
         else
             eliminate();
-        move_center();
-        if (all || kMotors == Motors::kImplicit) keep_response();
+        accelerate(rate_.acceleration);
+        if (all || kMotors == Motors::kImplicit) accelerate(cache_.response.coordinate);
         cache_.has_centers = false;
         cache_.has_joint_geometry = false;
         cache_.is_factored = false;
@@ -205,14 +205,14 @@ private:
     // Solves by Gauss-Jordan elimination; the matrix is positive definite.
     CAMBRIAN_INLINE void eliminate() {
         const int columns = kBlocks == 1 ? kLanes : bodies_;
-        double inverse_pivot[kSlots] = {};
+        BodyLanes<kBlocks> inverse_pivot = {};
         for (int k = 0; k < columns; ++k) {
             const double inverse = 1.0 / column_[k].at(k);
-            inverse_pivot[k] = inverse;
+            inverse_pivot.put_at(k, inverse);
             BodyLanes<kBlocks> factor;
             for (int b = 0; b < kBlocks; ++b)
                 factor[b] = column_[k][b] * inverse;
-            factor[k / kLanes][k % kLanes] = 0.0;
+            factor.put_at(k, 0.0);
             for (int j = k + 1; j < columns; ++j) {
                 const Simd4d pivot_row = all_lanes(column_[j].at(k));
                 for (int b = 0; b < kBlocks; ++b)
@@ -223,7 +223,7 @@ private:
                 torque_[b] -= factor[b] * pivot_row;
         }
         for (int b = 0; b < kBlocks; ++b)
-            torque_[b] *= load_lanes(inverse_pivot + b * kLanes);
+            torque_[b] *= inverse_pivot[b];
         keep_turn(torque_);
     }
 
@@ -258,20 +258,16 @@ private:
     }
 
     CAMBRIAN_INLINE void keep_turn(const BodyLanes<kBlocks>& turn) {
-        turn.store(rate_.acceleration);
-        turn.store(cache_.response.spin);
+        turn_ = turn;
+        turn_.store(cache_.response.spin);
     }
 
-    CAMBRIAN_INLINE void move_center() {
+    // Stores the accelerations of all coordinates.
+    CAMBRIAN_INLINE void accelerate(double* to) const {
         const double share = 1.0 / model_.total_mass;
-        store_lanes(rate_.acceleration + kLines, Simd4d{});
-        rate_.acceleration[bodies_] = forcing_.medium.gravity_x + share * drag_x_;
-        rate_.acceleration[bodies_ + 1] = forcing_.medium.gravity_y + share * drag_y_;
-    }
-
-    CAMBRIAN_INLINE void keep_response() {
-        for (int c = 0; c < bodies_ + 2; c += kLanes)
-            store_lanes(cache_.response.coordinate + c, load_lanes(rate_.acceleration + c));
+        const double x = forcing_.medium.gravity_x + share * drag_x_;
+        const double y = forcing_.medium.gravity_y + share * drag_y_;
+        store_coordinates(turn_, bodies_, x, y, to);
     }
 
     const PlanarModel& model_;
@@ -282,6 +278,7 @@ private:
     MotionRate& rate_;
     const int bodies_;
     BodyLanes<kBlocks> sine_, cosine_, torque_;
+    BodyLanes<kBlocks> turn_;  // angular accelerations, rad/s^2
     BodyLanes<kBlocks> column_[kSlots];
     double drag_x_ = 0.0, drag_y_ = 0.0;
 };

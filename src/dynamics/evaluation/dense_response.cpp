@@ -62,15 +62,6 @@ CAMBRIAN_INLINE void add_efforts(const PlanarModel& model, const PerBody& effort
 }
 
 template <int kBlocks>
-CAMBRIAN_INLINE void store_jump(const PlanarModel& model, const BodyLanes<kBlocks>& turn, double x,
-                                double y, PerCoordinate& jump) {
-    turn.store(jump);
-    store_lanes(jump + kBlocks * kLanes, Simd4d{});
-    jump[model.body_count] = x;
-    jump[model.body_count + 1] = y;
-}
-
-template <int kBlocks>
 CAMBRIAN_INLINE void solve_impulse_blocks(const PlanarModel& model, const EvaluationCache& cache,
                                           const Loads& impulses, PerCoordinate& jump) {
     Levers<kBlocks> levers(model.dense, cache.kinematics);
@@ -90,8 +81,8 @@ CAMBRIAN_INLINE void solve_impulse_blocks(const PlanarModel& model, const Evalua
     for (int b = 0; b < kBlocks; ++b)
         torque[b] += levers.torque(b);
     const double share = 1.0 / model.total_mass;
-    store_jump(model, times_inverse(cache.inverse, model.body_count, torque), share * sum_x,
-               share * sum_y, jump);
+    store_coordinates(times_inverse(cache.inverse, model.body_count, torque), model.body_count,
+                      share * sum_x, share * sum_y, jump);
 }
 
 template <int kBlocks>
@@ -101,7 +92,8 @@ CAMBRIAN_INLINE void solve_efforts_blocks(const PlanarModel& model, const Evalua
     add_efforts(model, efforts, own);
     BodyLanes<kBlocks> torque;
     torque.load(own);
-    store_jump(model, times_inverse(cache.inverse, model.body_count, torque), 0.0, 0.0, jump);
+    store_coordinates(times_inverse(cache.inverse, model.body_count, torque), model.body_count, 0.0,
+                      0.0, jump);
 }
 
 }  // namespace

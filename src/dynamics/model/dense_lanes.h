@@ -14,6 +14,10 @@ struct BodyLanes {
     CAMBRIAN_INLINE Simd4d& operator[](int b) { return block[b]; }
     CAMBRIAN_INLINE const Simd4d& operator[](int b) const { return block[b]; }
     CAMBRIAN_INLINE double at(int body) const { return block[body / kLanes][body % kLanes]; }
+    CAMBRIAN_INLINE void put_at(int body, double value) {
+        for (int b = 0; b < kBlocks; ++b)
+            block[b] = with_lane(block[b], body - b * kLanes, value);
+    }
     CAMBRIAN_INLINE void add_at(int body, double value) {
         const auto slot = static_cast<unsigned>(body);
         block[slot / kLanes][slot % kLanes] += value;
@@ -37,6 +41,16 @@ struct BodyLanes {
                         load_lanes(model.members_of(0).membership + b * kLanes) * block[b]);
     }
 };
+
+// Stores the bodies' values and then those of the centre's two coordinates.
+template <int kBlocks>
+CAMBRIAN_INLINE void store_coordinates(const BodyLanes<kBlocks>& of_bodies, int bodies, double x,
+                                       double y, double* to) {
+    of_bodies.store(to);
+    store_lanes(to + kBlocks * kLanes, Simd4d{});
+    to[bodies] = x;
+    to[bodies + 1] = y;
+}
 
 // A planar vector for every body.
 template <int kBlocks>

@@ -33,6 +33,11 @@ CAMBRIAN_INLINE void store_lanes(double* to, const Simd4d& lanes) {
 CAMBRIAN_INLINE Simd4d all_lanes(double value) {
     return Simd4d{value, value, value, value};
 }
+// Returns the lanes with a value in one of them; unchanged if `lane` is none of the four. A vector
+// in memory is not loaded quickly soon after a scalar is stored into it.
+CAMBRIAN_INLINE Simd4d with_lane(const Simd4d& lanes, std::int64_t lane, double value) {
+    return (Simd4i{0, 1, 2, 3} == lane) ? all_lanes(value) : lanes;
+}
 CAMBRIAN_INLINE Simd4d gather(const double* from, const int* index) {
     return Simd4d{from[index[0]], from[index[1]], from[index[2]], from[index[3]]};
 }
