@@ -18,6 +18,7 @@ constexpr double kSweepTolerance = 1e-3;  // m/s
 constexpr double kRateTolerance = 1e-9;   // m/s
 constexpr double kConeShare = 1e-9;       // of a cone's width; a nearer impulse is on its edge
 constexpr double kPivotTolerance = 1e-7;  // of the diagonal
+constexpr double kNoCap = std::numeric_limits<double>::infinity();  // N s or N m s
 
 // Sums the normal impulses that bound each friction row.
 void sum_loads(const ConstraintSystem& rows, double* load) {
@@ -146,7 +147,7 @@ double ComplementaritySolver::sweep_once(ConstraintSystem& rows, double friction
         const bool rubs = row.kind == RowKind::kFriction;
         const double cap = friction * std::max(0.0, load_[r]);
         impulse = std::max(impulse, rubs ? -cap : 0.0);
-        impulse = std::min(impulse, rubs ? cap : std::numeric_limits<double>::infinity());
+        impulse = std::min(impulse, rubs ? cap : kNoCap);
         const double change = impulse - old;
         if (change == 0.0) continue;
         if (row.friction_of >= 0) load_[row.friction_of] += change;
