@@ -38,8 +38,7 @@ public:
             invert();
         else
             eliminate();
-        accelerate(rate_.acceleration);
-        if (all || kMotors == Motors::kImplicit) accelerate(cache_.response.coordinate);
+        keep_accelerations(all || kMotors == Motors::kImplicit);
         cache_.has_centers = false;
         cache_.has_joint_geometry = false;
         cache_.is_factored = false;
@@ -262,12 +261,13 @@ private:
         turn_.store(cache_.response.spin);
     }
 
-    // Stores the accelerations of all coordinates.
-    CAMBRIAN_INLINE void accelerate(double* to) const {
+    // Stores the accelerations of all coordinates, on demand in the response, too.
+    CAMBRIAN_INLINE void keep_accelerations(bool with_response) {
         const double share = 1.0 / model_.total_mass;
         const double x = forcing_.medium.gravity_x + share * drag_x_;
         const double y = forcing_.medium.gravity_y + share * drag_y_;
-        store_coordinates(turn_, bodies_, x, y, to);
+        store_coordinates(turn_, bodies_, x, y, rate_.acceleration);
+        if (with_response) store_coordinates(turn_, bodies_, x, y, cache_.response.coordinate);
     }
 
     const PlanarModel& model_;
