@@ -143,6 +143,7 @@ public:
         for (int i = 0; i < model_.part_count; ++i)
             place_box(i);
         fill_spare_parts();
+        if (has_single_boxes(model_)) give_bodies_their_boxes();
         for (int b = 0; b < model_.body_count; ++b)
             place_joint(b);
         weigh_trees();
@@ -312,6 +313,16 @@ private:
             model_.part_body[i] = model_.part_body[0];
             model_.part_x[i] = model_.part_x[0];
             model_.part_y[i] = model_.part_y[0];
+        }
+    }
+
+    void give_bodies_their_boxes() {
+        for (int i = 0; i < model_.part_count; ++i) {
+            const int b = model_.part_body[i];
+            model_.box_x[b] = model_.part_x[i];
+            model_.box_y[b] = model_.part_y[i];
+            model_.box_half_length[b] = model_.half_length[i];
+            model_.box_half_width[b] = model_.half_width[i];
         }
     }
 

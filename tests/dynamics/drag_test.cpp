@@ -1,5 +1,6 @@
 #include "dynamics/forces/drag.h"
 
+#include "dynamics/random_motion.h"
 #include "dynamics/rig.h"
 #include "support/catch.h"
 
@@ -72,5 +73,37 @@ TEST_CASE("drag never does positive work", "[dynamics][drag]") {
                     loads.torque[b] * kinematics.spin[b];
         CHECK(power <= 0.0);
         CHECK(done == Approx(power).epsilon(1e-9));
+    }
+}
+
+// A model with one more box, which has no size, has no body for each of its boxes.
+TEST_CASE("drag is the same to the last bit if each body is taken to be one box or not",
+          "[dynamics][drag]") {
+    RandomStream random(stream_seed({8, 9}));
+    const Medium medium{0.0, 0.0, 0.5, 5.0};
+    for (int i = 0; i < 200; ++i) {
+        const int bodies = 1 + i % 30;
+        const PlanarModel single =
+            *build_planar_model(random_tree(random, bodies, 0.3, 1.0, 0.0), 1.0);
+        REQUIRE(has_single_boxes(single));
+        PlanarModel welded = single;
+        ++welded.part_count;
+        REQUIRE_FALSE(has_single_boxes(welded));
+        Kinematics kinematics;
+        compute_kinematics(single, random_motion(random, single), kinematics);
+        Loads loads[2];
+        double power[2];
+        for (int which = 0; which < 2; ++which) {
+            const PlanarModel& model = which == 0 ? single : welded;
+            clear_loads(model, loads[which]);
+            power[which] = add_drag(model, medium, kinematics, loads[which]);
+        }
+        REQUIRE(power[0] < 0.0);
+        REQUIRE(power[0] == power[1]);
+        for (int b = 0; b < bodies; ++b) {
+            REQUIRE(loads[0].force_x[b] == loads[1].force_x[b]);
+            REQUIRE(loads[0].force_y[b] == loads[1].force_y[b]);
+            REQUIRE(loads[0].torque[b] == loads[1].torque[b]);
+        }
     }
 }

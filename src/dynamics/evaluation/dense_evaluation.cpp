@@ -149,8 +149,8 @@ private:
                 forcing_.medium, {{load_lanes(k.cosine + i), load_lanes(k.sine + i)},
                                   {load_lanes(k.velocity_x + i), load_lanes(k.velocity_y + i)},
                                   load_lanes(k.spin + i),
-                                  load_lanes(form_.half_length + i),
-                                  load_lanes(form_.half_width + i)});
+                                  load_lanes(model_.box_half_length + i),
+                                  load_lanes(model_.box_half_width + i)});
             store_lanes(loads.force_x + i, drag.force_x);
             store_lanes(loads.force_y + i, drag.force_y);
             torque_[i / kLanes] += drag.moment;
@@ -170,7 +170,7 @@ private:
     CAMBRIAN_INLINE double drag_bodies() {
         Loads& loads = cache_.loads;
         const double power =
-            form_.single_boxes ? drag_single_boxes(loads) : drag_welded_boxes(loads);
+            has_single_boxes(model_) ? drag_single_boxes(loads) : drag_welded_boxes(loads);
         Levers<kBlocks> levers(form_, cache_.kinematics);
         for (int body = 0; body < bodies_; ++body) {
             drag_x_ += loads.force_x[body];

@@ -14,7 +14,6 @@ struct NumberCounts {
     int members = 0;       // begins of members and the end of the last; 0 for one creature
     int measured = 0;      // parts whose forces are measured
     int dense_matrix = 0;  // numbers of a matrix of the dense form
-    int dense_bodies = 0;
 
     friend bool operator==(const NumberCounts&, const NumberCounts&) = default;
 };
@@ -27,8 +26,7 @@ inline NumberCounts counts_of(const PlanarModel& model) {
             .trees = model.tree_count,
             .members = model.member_count > 1 ? model.member_count + 1 : 0,
             .measured = model.measured_parts != 0 ? model.part_count : 0,
-            .dense_matrix = is_dense ? kMaxDenseBodies * kMaxDenseBodies : 0,
-            .dense_bodies = is_dense ? kMaxDenseBodies : 0};
+            .dense_matrix = is_dense ? kMaxDenseBodies * kMaxDenseBodies : 0};
 }
 
 // Returns counts that are rounded up to the vector width where vectors are used.

@@ -39,7 +39,7 @@ struct FaceDrag {
 };
 
 CAMBRIAN_INLINE Simd4d pressure(const Medium& medium, const Simd4d& u) {
-    return -(medium.drag_linear + medium.drag_quadratic * magnitude(u)) * u;
+    return (-medium.drag_linear + -medium.drag_quadratic * magnitude(u)) * u;
 }
 
 // Normal speed at the middle, its slope along the face, and the face's half extent.

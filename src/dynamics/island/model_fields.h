@@ -29,7 +29,11 @@ inline constexpr PerBody PlanarModel::*kBodyNumbers[] = {&PlanarModel::mass,
                                                          &PlanarModel::max_effort,
                                                          &PlanarModel::effective_inertia,
                                                          &PlanarModel::length_square,
-                                                         &PlanarModel::width_square};
+                                                         &PlanarModel::width_square,
+                                                         &PlanarModel::box_x,
+                                                         &PlanarModel::box_y,
+                                                         &PlanarModel::box_half_length,
+                                                         &PlanarModel::box_half_width};
 inline constexpr PerBody MotorLaw::*kMotorNumbers[] = {
     &MotorLaw::tracking,  &MotorLaw::direct,   &MotorLaw::rate_scale, &MotorLaw::rate_floor,
     &MotorLaw::stiffness, &MotorLaw::strength, &MotorLaw::damping};

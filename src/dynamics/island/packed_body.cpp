@@ -97,12 +97,9 @@ private:
 template <class Visitor>
 void visit_dense(DenseForm& dense, const ChangedCounts& counts, Visitor& visitor) {
     visitor.one(dense.blocks);
-    visitor.one(dense.single_boxes);
     for (auto* matrix : {&dense.inertia_cosine, &dense.inertia_sine, &dense.arm_x, &dense.arm_y,
                          &dense.lever_x, &dense.lever_y})
         visitor.lanes(*matrix, counts.now.dense_matrix, counts.before.dense_matrix);
-    for (auto* size : {&dense.half_length, &dense.half_width})
-        visitor.lanes(*size, counts.now.dense_bodies, counts.before.dense_bodies);
 }
 
 template <class Visitor>

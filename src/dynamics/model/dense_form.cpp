@@ -39,15 +39,6 @@ void find_arms(const PlanarModel& model, Arms& arms) {
     }
 }
 
-void size_boxes(const PlanarModel& model, DenseForm& form) {
-    form.single_boxes = has_single_boxes(model);
-    if (!form.single_boxes) return;
-    for (int part = 0; part < model.part_count; ++part) {
-        form.half_length[model.part_body[part]] = model.half_length[part];
-        form.half_width[model.part_body[part]] = model.half_width[part];
-    }
-}
-
 }  // namespace
 
 void derive_dense_form(const PlanarModel& model, DenseForm& form) {
@@ -57,7 +48,6 @@ void derive_dense_form(const PlanarModel& model, DenseForm& form) {
     CAMBRIAN_TICK_ASSERT(form.blocks > 0 && form.blocks * kLanes <= kMaxDenseBodies, "few bodies");
     const int lines = form.blocks * kLanes;
     const int count = model.body_count;
-    size_boxes(model, form);
     Arms arms = {};
     find_arms(model, arms);
     for (int i = count; i < lines; ++i)

@@ -25,12 +25,9 @@ struct DenseForm {
     DenseMatrix arm_y = {};
     DenseMatrix lever_x = {};  // m; d of all angles, one column for each body
     DenseMatrix lever_y = {};
-    bool single_boxes = false;                 // every body is one box; then its sizes
-    double half_length[kMaxDenseBodies] = {};  // m, along the body's x
-    double half_width[kMaxDenseBodies] = {};   // m
 };
 
-// Computes the form from the model's masses, joints and boxes. `blocks` is 0 unless the model is
+// Computes the form from the model's masses and joints. `blocks` is 0 unless the model is
 // one tree of at most kMaxDenseBodies bodies with revolute joints only.
 void derive_dense_form(const PlanarModel& model, DenseForm& form);
 

@@ -125,6 +125,10 @@ struct PlanarModel {
     double corner_x[4 * kMaxParts] = {};        // m, in the body's frame; bit 0 of the corner's
     double corner_y[4 * kMaxParts] = {};        // number is +x of the box, bit 1 is +y
 
+    // The box of each body, if every body is one box (has_single_boxes); else 0.
+    PerBody box_x = {}, box_y = {};                     // m, centre in the body's frame
+    PerBody box_half_length = {}, box_half_width = {};  // m
+
     std::vector<PartPair> colliding_pairs;  // boxes of different bodies that may touch
 
     std::vector<LoopJoint> loop_joints;  // loop-closure joints; see loop_closure.h
