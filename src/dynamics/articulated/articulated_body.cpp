@@ -9,26 +9,40 @@ namespace cambrian {
 namespace {
 
 // Articulated inertia [[A, h], [h', j]] and bias force (f, t) of a subtree about the body's pivot.
-// Stored by columns with the components (x, y, turn, -load). Component 2 of x and y is unused,
-// because h is in turn.
+// Stored by columns with the components (x, y, turn, load). Component 2 of x and y is unused,
+// because h is in turn. The transformation to the parent's pivot is (z, -gamma) of the x axis and
+// then of the y axis.
 struct ArticulatedInertia {
     Simd4d x, y, turn;
+    Simd4d to_parent;
 };
 
-// Transformation from a child's pivot to its parent's: (0, 0, z, gamma) for each axis.
+// Transformation from a child's pivot to its parent's: (0, 0, z, -gamma) for each axis.
 struct Lever {
     Simd4d x, y;
 };
 
-// Effort of revolute joints, a torque on the child and its parent.
-CAMBRIAN_INLINE Simd4d revolute_effort(const PlanarModel& model, const Loads& loads, int first) {
-    return (1.0 - load_lanes(model.slides + first)) * load_lanes(loads.effort + first);
+enum class Load { kForce, kImpulse };
+enum class Joints { kRevolute, kAny };
+
+// Returns the efforts of revolute joints, a torque on the child and its parent.
+template <Joints kJoints>
+CAMBRIAN_INLINE Simd4d revolute_effort(const PlanarModel& model, const Simd4d& effort, int first) {
+    return kJoints == Joints::kAny ? (1.0 - load_lanes(model.slides + first)) * effort : effort;
 }
 
+// The efforts of all joints, from which a vector with the effort in component `load` is loaded.
+struct Efforts {
+    double values[kLanes - 1 + kMaxBodies];
+};
+
 // Sets the body's own inertia and load: h = m s, f with the centrifugal force of the centre about
-// the pivot, and t about the pivot with the effort of the body's joint.
+// the pivot, and t about the pivot with the effort of the body's joint; and the transformation to
+// the parent.
+template <Joints kJoints>
 CAMBRIAN_INLINE void load_bodies(const PlanarModel& model, const Kinematics& k, const Loads& loads,
-                                 ArticulatedInertia* inertias) {
+                                 ArticulatedInertia* inertias, Efforts& efforts) {
+    store_lanes(efforts.values, Simd4d{});
     for (int first = 0; first < model.body_count; first += kLanes) {
         CAMBRIAN_TICK_ASSERT(model.mass[first] > 0.0 && model.pivot_inertia[first] > 0.0,
                              "a body has a mass");
@@ -40,67 +54,62 @@ CAMBRIAN_INLINE void load_bodies(const PlanarModel& model, const Kinematics& k, 
         const Simd4d force_y = load_lanes(loads.force_y + first);
         const Simd4d h_x = mass * s_x;
         const Simd4d h_y = mass * s_y;
+        const Simd4d effort = load_lanes(loads.effort + first);
+        store_lanes(efforts.values + kLanes - 1 + first, effort);
         const Simd4d torque = load_lanes(loads.torque + first) + (s_x * force_x + s_y * force_y) +
-                              revolute_effort(model, loads, first);
+                              revolute_effort<kJoints>(model, effort, first);
         const Simd4d square = spin * spin;
-        Simd4d x[kLanes] = {mass, Simd4d{}, Simd4d{}, -(force_x + square * h_y)};
-        Simd4d y[kLanes] = {Simd4d{}, mass, Simd4d{}, -(force_y - square * h_x)};
-        Simd4d turn[kLanes] = {h_x, h_y, load_lanes(model.pivot_inertia + first), -torque};
+        Simd4d x[kLanes] = {mass, Simd4d{}, Simd4d{}, force_x + square * h_y};
+        Simd4d y[kLanes] = {Simd4d{}, mass, Simd4d{}, force_y - square * h_x};
+        Simd4d turn[kLanes] = {h_x, h_y, load_lanes(model.pivot_inertia + first), torque};
+        Simd4d lever[kLanes] = {load_lanes(k.z_x + first), -load_lanes(k.gamma_x + first),
+                                load_lanes(k.z_y + first), -load_lanes(k.gamma_y + first)};
         transpose(x[0], x[1], x[2], x[3]);
         transpose(y[0], y[1], y[2], y[3]);
         transpose(turn[0], turn[1], turn[2], turn[3]);
+        transpose(lever[0], lever[1], lever[2], lever[3]);
         for (int lane = 0; lane < kLanes; ++lane)
-            inertias[first + lane] = {x[lane], y[lane], turn[lane]};
+            inertias[first + lane] = {x[lane], y[lane], turn[lane], lever[lane]};
     }
 }
 
-// Sets (z, gamma) of the x axis and then those of the y axis for every joint.
-CAMBRIAN_INLINE void place_levers(const PlanarModel& model, const Kinematics& k, Simd4d* levers) {
-    for (int first = 0; first < model.body_count; first += kLanes) {
-        Simd4d lanes[kLanes] = {load_lanes(k.z_x + first), load_lanes(k.gamma_x + first),
-                                load_lanes(k.z_y + first), load_lanes(k.gamma_y + first)};
-        transpose(lanes[0], lanes[1], lanes[2], lanes[3]);
-        for (int lane = 0; lane < kLanes; ++lane)
-            levers[first + lane] = lanes[lane];
-    }
-}
-
-CAMBRIAN_INLINE Lever lever_of(const Simd4d& placed) {
-    return {__builtin_shufflevector(Simd4d{}, placed, 0, 1, 4, 5),
-            __builtin_shufflevector(Simd4d{}, placed, 0, 1, 6, 7)};
+CAMBRIAN_INLINE Lever lever_of(const ArticulatedInertia& child) {
+    return {__builtin_shufflevector(Simd4d{}, child.to_parent, 0, 1, 4, 5),
+            __builtin_shufflevector(Simd4d{}, child.to_parent, 0, 1, 6, 7)};
 }
 
 // Transforms a column to the parent's pivot.
 CAMBRIAN_INLINE Simd4d as_parent_sees(const Simd4d& column, const Lever& lever) {
-    return column + column[0] * lever.x + column[1] * lever.y;
+    const Simd4d along_y = __builtin_shufflevector(column, column, 1, 1, 1, 1);
+    return column + column[0] * lever.x + along_y * lever.y;
 }
 
 // Sets the component `turn` of a column to 0.
 CAMBRIAN_INLINE Simd4d without_turn(const Simd4d& column) {
-    Simd4i bits;
-    std::memcpy(&bits, &column, sizeof(bits));
-    bits &= Simd4i{-1, -1, 0, -1};
-    Simd4d result;
-    std::memcpy(&result, &bits, sizeof(result));
-    return result;
+    return masked(column, Simd4i{-1, -1, 0, -1});
 }
 
-// Adds the first two columns to the parent, their part of the third, and what the effort of a
-// revolute joint is to its load.
+// Returns the effort of a joint as a column with only a load.
+CAMBRIAN_INLINE Simd4d load_of(const Efforts& efforts, int i) {
+    return masked(load_lanes(efforts.values + i), Simd4i{0, 0, 0, -1});
+}
+
+// Adds the first two columns to the parent, their part of the third, and the reaction to the effort
+// of a revolute joint.
 CAMBRIAN_INLINE void add_to_parent(const Simd4d& x, const Simd4d& y, const Lever& lever,
-                                   double effort, ArticulatedInertia& parent) {
+                                   const Simd4d& effort, ArticulatedInertia& parent) {
     const Simd4d seen_x = as_parent_sees(x, lever);
     const Simd4d seen_y = as_parent_sees(y, lever);
     parent.x += seen_x;
     parent.y += seen_y;
-    parent.turn += Simd4d{0.0, 0.0, 0.0, effort} + (lever.x[2] * seen_x + lever.y[2] * seen_y);
+    parent.turn += lever.x[2] * seen_x + lever.y[2] * seen_y - effort;
 }
 
 // Both eliminate a joint (dynamics/README.md 4): they return u and add to the parent the
 // articulated inertia minus w w'/d. A revolute joint has w = h, and d = j + g with the damping g of
 // an implicit motor; the share g/d of its row goes to the parent.
 template <Motors kMotors>
-CAMBRIAN_INLINE double eliminate_revolute(double effort, int i, const ArticulatedInertia& c,
+CAMBRIAN_INLINE double eliminate_revolute(const Simd4d& effort, int i, const ArticulatedInertia& c,
                                           const Lever& lever, Factors& factors,
                                           ArticulatedInertia& parent) {
     const Simd4d row = c.turn;
@@ -119,7 +128,7 @@ CAMBRIAN_INLINE double eliminate_revolute(double effort, int i, const Articulate
     factors.w_x[i] = row[0];
     factors.w_y[i] = row[1];
     factors.inverse_d[i] = inverse_d;
-    return -row[3];
+    return row[3];
 }
 
 // With the axis n the row is (n A, n h), the load n f + F, and d = n A n + g.
@@ -134,7 +143,7 @@ CAMBRIAN_INLINE double eliminate_prismatic(const Kinematics& k, double effort, i
     x[2] = c.turn[0];
     y[2] = c.turn[1];
     Simd4d row = n_x * x + n_y * y;
-    row[3] -= effort;
+    row[3] += effort;
     const double along = n_x * row[0] + n_y * row[1];
     const double inverse_d =
         1.0 / (kMotors == Motors::kImplicit ? along + factors.damping[i] : along);
@@ -142,17 +151,14 @@ CAMBRIAN_INLINE double eliminate_prismatic(const Kinematics& k, double effort, i
     x -= scaled * row[0];
     y -= scaled * row[1];
     const Simd4d turn = c.turn - scaled * row[2];
-    add_to_parent(x, y, lever, 0.0, parent);
+    add_to_parent(x, y, lever, Simd4d{}, parent);
     parent.turn += as_parent_sees(turn, lever);
     factors.w_x[i] = row[0];
     factors.w_y[i] = row[1];
     factors.w_3[i] = row[2];
     factors.inverse_d[i] = inverse_d;
-    return -row[3];
+    return row[3];
 }
-
-enum class Load { kForce, kImpulse };
-enum class Joints { kRevolute, kAny };
 
 template <Joints kJoints>
 CAMBRIAN_INLINE bool slides(const PlanarModel& model, int i) {
@@ -215,28 +221,26 @@ template <Motors kMotors, Joints kJoints>
 CAMBRIAN_INLINE void solve(const PlanarModel& model, const Kinematics& kinematics,
                            const Loads& loads, Factors& factors, BodyResponse& response) {
     ArticulatedInertia inertias[kMaxBodies];
-    Simd4d levers[kMaxBodies];
+    Efforts efforts;
     PerBody u;
-    load_bodies(model, kinematics, loads, inertias);
-    place_levers(model, kinematics, levers);
+    load_bodies<kJoints>(model, kinematics, loads, inertias, efforts);
     for (int tree = model.tree_count - 1; tree >= 0; --tree) {
         const int root = model.tree_begin[tree];
         const int end = model.tree_begin[tree + 1];
         CAMBRIAN_TICK_ASSERT(root < end && end <= model.body_count, "the bodies of a tree");
         for (int i = end - 1; i > root; --i) {
             ArticulatedInertia& parent = inertias[model.parent[i]];
-            const Lever lever = lever_of(levers[i]);
-            const double effort = loads.effort[i];
-            u[i] =
-                slides<kJoints>(model, i)
-                    ? eliminate_prismatic<kMotors>(kinematics, effort, i, inertias[i], lever,
-                                                   factors, parent)
-                    : eliminate_revolute<kMotors>(effort, i, inertias[i], lever, factors, parent);
+            const Lever lever = lever_of(inertias[i]);
+            u[i] = slides<kJoints>(model, i)
+                       ? eliminate_prismatic<kMotors>(kinematics, loads.effort[i], i, inertias[i],
+                                                      lever, factors, parent)
+                       : eliminate_revolute<kMotors>(load_of(efforts, i), i, inertias[i], lever,
+                                                     factors, parent);
         }
         const ArticulatedInertia& all = inertias[root];
         factors.root[tree] =
             invert_inertia(all.x[0], all.x[1], all.y[1], all.turn[0], all.turn[1], all.turn[2]);
-        solve_root(factors.root[tree], root, Simd2d{-all.x[3], -all.y[3]}, -all.turn[3], response);
+        solve_root(factors.root[tree], root, Simd2d{all.x[3], all.y[3]}, all.turn[3], response);
         for (int i = root + 1; i < end; ++i)
             follow_parent<Load::kForce, kMotors, kJoints>(model, kinematics, factors, u, i,
                                                           response);

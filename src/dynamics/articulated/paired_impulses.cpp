@@ -179,8 +179,9 @@ CAMBRIAN_INLINE void move_centers(const PlanarModel& model, const Loads& loads,
         const double share = 1.0 / model.tree_mass[tree];
         const double* members = model.members_of(tree).membership;
         const int center = center_of(model, tree);
-        jump[center] = share * lane_product(members, loads.force_x, slots);
-        jump[center + 1] = share * lane_product(members, loads.force_y, slots);
+        const Simd4dVector forces = weighted_sums(members, loads.force_x, loads.force_y, slots);
+        jump[center] = share * sum_of(forces.x);
+        jump[center + 1] = share * sum_of(forces.y);
     }
 }
 

@@ -32,10 +32,9 @@ CAMBRIAN_INLINE void move_centers(const PlanarModel& model, const Loads& loads,
     for (int t = 0; t < model.tree_count; ++t) {
         const double* members = model.members_of(t).membership;
         const double share = 1.0 / model.tree_mass[t];
-        response.coordinate[center_of(model, t)] =
-            share * lane_product(members, loads.force_x, slots);
-        response.coordinate[center_of(model, t) + 1] =
-            share * lane_product(members, loads.force_y, slots);
+        const Simd4dVector forces = weighted_sums(members, loads.force_x, loads.force_y, slots);
+        response.coordinate[center_of(model, t)] = share * sum_of(forces.x);
+        response.coordinate[center_of(model, t) + 1] = share * sum_of(forces.y);
     }
 }
 

@@ -87,10 +87,12 @@ void compute_loads(const PlanarModel& model, const Forcing& forcing, const Evalu
     rate.power[kMotorWork] = motors.net;
     rate.power[kGrossMotorWork] = motors.gross;
     const Medium& medium = forcing.medium;
+    const double gravity_x = medium.gravity_x;
+    const double gravity_y = medium.gravity_y;
     for (int i = 0; i < model.body_count; i += kLanes) {
         const Simd4d mass = load_lanes(model.mass + i);
-        store_lanes(loads.force_x + i, mass * medium.gravity_x);
-        store_lanes(loads.force_y + i, mass * medium.gravity_y);
+        store_lanes(loads.force_x + i, mass * gravity_x);
+        store_lanes(loads.force_y + i, mass * gravity_y);
         store_lanes(loads.torque + i, Simd4d{});
         store_lanes(loads.effort + i, load_lanes(cache.motor_effort + i));
     }

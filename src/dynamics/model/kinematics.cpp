@@ -45,6 +45,7 @@ CAMBRIAN_INLINE void turn_joints(const PlanarModel& model, Kinematics& k, int fi
     const Simd4d parent_cosine = gather(k.cosine, parents);
     const Simd4d parent_sine = gather(k.sine, parents);
     const Simd4d parent_spin = gather(k.spin, parents);
+    const Simd4d parent_angle = gather(k.angle, parents);
     const Simd4d cosine = load_lanes(k.cosine + first);
     const Simd4d sine = load_lanes(k.sine + first);
     const Simd4d pivot_x = load_lanes(model.pivot_x + first);
@@ -60,8 +61,8 @@ CAMBRIAN_INLINE void turn_joints(const PlanarModel& model, Kinematics& k, int fi
     store_lanes(k.z_y + first, arm_x);
     store_lanes(k.gamma_x + first, -square * arm_x);
     store_lanes(k.gamma_y + first, -square * arm_y);
-    store_lanes(k.joint_position + first, load_lanes(k.angle + first) - gather(k.angle, parents) -
-                                              load_lanes(model.rest_angle + first));
+    store_lanes(k.joint_position + first,
+                load_lanes(k.angle + first) - parent_angle - load_lanes(model.rest_angle + first));
     store_lanes(k.joint_rate + first, load_lanes(k.spin + first) - parent_spin);
 }
 
@@ -92,10 +93,6 @@ CAMBRIAN_INLINE void slide_joint(const PlanarModel& model, const Motion& motion,
     k.joint_rate[i] = rate;
 }
 
-struct PlanarLanes {
-    Simd4d x, y;
-};
-
 // Sums the offsets of the pivots from their parents' pivots down the trees, adds the lever of each
 // centre, and shifts each tree so that its mean is the given centre. `lever` returns the levers of
 // four bodies.
@@ -112,18 +109,24 @@ CAMBRIAN_INLINE void sum_from_roots(const PlanarModel& model, const double* cent
             y[i] += y[p];
         }
     }
+    Simd4dVector sums = {};
+    const double* first_share = model.members_of(0).share;
     for (int i = 0; i < slots; i += kLanes) {
-        const PlanarLanes levers = lever(i);
-        store_lanes(x + i, load_lanes(x + i) + levers.x);
-        store_lanes(y + i, load_lanes(y + i) + levers.y);
+        const Simd4dVector levers = lever(i);
+        const Simd4d moved_x = load_lanes(x + i) + levers.x;
+        const Simd4d moved_y = load_lanes(y + i) + levers.y;
+        store_lanes(x + i, moved_x);
+        store_lanes(y + i, moved_y);
+        add_weighted(first_share + i, moved_x, moved_y, sums);
     }
     for (int t = 0; t < model.tree_count; ++t) {
-        const double* share = model.members_of(t).share;
-        const Simd4d shift_x = all_lanes(center[0] - lane_product(share, x, slots));
-        const Simd4d shift_y = all_lanes(center[1] - lane_product(share, y, slots));
+        const TreeMembers& members = model.members_of(t);
+        if (t > 0) sums = weighted_sums(members.share, x, y, slots);
+        const Simd4d shift_x = all_lanes(center[0] - sum_of(sums.x));
+        const Simd4d shift_y = all_lanes(center[1] - sum_of(sums.y));
         center += 2;
         for (int i = 0; i < slots; i += kLanes) {
-            const Simd4d member = load_lanes(model.members_of(t).membership + i);
+            const Simd4d member = load_lanes(members.membership + i);
             store_lanes(x + i, load_lanes(x + i) + member * shift_x);
             store_lanes(y + i, load_lanes(y + i) + member * shift_y);
         }
@@ -145,7 +148,7 @@ CAMBRIAN_INLINE void move_bodies(const PlanarModel& model, const Kinematics& k, 
     }
     const auto lever = [&](int i) {
         const Simd4d spin = load_lanes(spins + i);
-        return PlanarLanes{spin * load_lanes(k.s_x + i), spin * load_lanes(k.s_y + i)};
+        return Simd4dVector{spin * load_lanes(k.s_x + i), spin * load_lanes(k.s_y + i)};
     };
     sum_from_roots(model, rates + center_of(model, 0), lever, velocity_x, velocity_y);
 }
@@ -202,7 +205,7 @@ void compute_places(const PlanarModel& model, const Motion& motion, Kinematics& 
         store_lanes(k.y + i, -load_lanes(k.z_x + i));
     }
     const auto lever = [&](int i) {
-        return PlanarLanes{load_lanes(k.s_y + i), -load_lanes(k.s_x + i)};
+        return Simd4dVector{load_lanes(k.s_y + i), -load_lanes(k.s_x + i)};
     };
     sum_from_roots(model, motion.position + center_of(model, 0), lever, k.x, k.y);
 }

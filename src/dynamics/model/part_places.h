@@ -16,11 +16,6 @@ struct PartPlaces {
 
 void place_parts(const PlanarModel& model, const Kinematics& kinematics, PartPlaces& places);
 
-// The components of four vectors.
-struct Simd4dVector {
-    Simd4d x, y;
-};
-
 // Four boxes, from `first` on.
 struct PartLanes {
     Simd4d cosine, sine;  // of their bodies

@@ -22,13 +22,17 @@ inline constexpr int round_up_to_lanes(int count) {
     return (count + kLanes - 1) & -kLanes;
 }
 
+// Four doubles in memory. Unlike copied bytes they overlap no integers, so that the compiler keeps
+// counts and indices in registers.
+using StoredLanes __attribute__((vector_size(kLanes * sizeof(double)), aligned(alignof(double)))) =
+    double;
+static_assert(alignof(StoredLanes) == alignof(double), "vectors are stored anywhere");
+
 CAMBRIAN_INLINE Simd4d load_lanes(const double* from) {
-    Simd4d lanes;
-    std::memcpy(&lanes, from, sizeof(lanes));
-    return lanes;
+    return *reinterpret_cast<const StoredLanes*>(from);
 }
 CAMBRIAN_INLINE void store_lanes(double* to, const Simd4d& lanes) {
-    std::memcpy(to, &lanes, sizeof(lanes));
+    *reinterpret_cast<StoredLanes*>(to) = lanes;
 }
 CAMBRIAN_INLINE Simd4d all_lanes(double value) {
     return Simd4d{value, value, value, value};
@@ -64,13 +68,17 @@ CAMBRIAN_INLINE void transpose(Simd4d& a, Simd4d& b, Simd4d& c, Simd4d& d) {
     c = __builtin_shufflevector(even_ab, even_cd, 2, 3, 6, 7);
     d = __builtin_shufflevector(odd_ab, odd_cd, 2, 3, 6, 7);
 }
-CAMBRIAN_INLINE Simd4d magnitude(const Simd4d& lanes) {
+// Returns the bits that the mask has.
+CAMBRIAN_INLINE Simd4d masked(const Simd4d& lanes, const Simd4i& mask) {
     Simd4i bits;
     std::memcpy(&bits, &lanes, sizeof(bits));
-    bits &= Simd4i{INT64_MAX, INT64_MAX, INT64_MAX, INT64_MAX};
+    bits &= mask;
     Simd4d result;
     std::memcpy(&result, &bits, sizeof(result));
     return result;
+}
+CAMBRIAN_INLINE Simd4d magnitude(const Simd4d& lanes) {
+    return masked(lanes, Simd4i{INT64_MAX, INT64_MAX, INT64_MAX, INT64_MAX});
 }
 CAMBRIAN_INLINE Simd4d lesser(const Simd4d& a, const Simd4d& b) {
     return a < b ? a : b;
@@ -87,6 +95,8 @@ CAMBRIAN_INLINE double largest_of(const Simd4d& lanes) {
     const double high = lanes[2] > lanes[3] ? lanes[2] : lanes[3];
     return low > high ? low : high;
 }
+
+inline constexpr unsigned kAllLanes = (1U << kLanes) - 1U;
 
 // Returns the lanes in which a comparison is true, as bits.
 CAMBRIAN_INLINE unsigned true_lanes(const Simd4i& comparison) {
@@ -108,6 +118,28 @@ CAMBRIAN_INLINE double lane_product(const double* first, const double* second, i
     for (int i = 0; i < count; i += kLanes)
         sum += load_lanes(first + i) * load_lanes(second + i);
     return sum_of(sum);
+}
+
+// The components of four planar vectors.
+struct Simd4dVector {
+    Simd4d x, y;
+};
+
+// Adds to four sums of weighted vectors those of the next four.
+CAMBRIAN_INLINE void add_weighted(const double* weights, const Simd4d& x, const Simd4d& y,
+                                  Simd4dVector& sums) {
+    const Simd4d weight = load_lanes(weights);
+    sums.x += weight * x;
+    sums.y += weight * y;
+}
+// Returns sums of weighted vectors, of every fourth from each of the first four on; count is a
+// multiple of kLanes.
+CAMBRIAN_INLINE Simd4dVector weighted_sums(const double* weights, const double* x, const double* y,
+                                           int count) {
+    Simd4dVector sums = {};
+    for (int i = 0; i < count; i += kLanes)
+        add_weighted(weights + i, load_lanes(x + i), load_lanes(y + i), sums);
+    return sums;
 }
 
 CAMBRIAN_INLINE Simd2d both(double value) {
