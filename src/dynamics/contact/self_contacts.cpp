@@ -4,10 +4,13 @@
 #include "dynamics/contact/box_contacts.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace cambrian {
 namespace {
+
+static_assert(kMostPairs % kLanes == 0, "four pairs are tested at once");
 
 constexpr double kSpare = 0.25;  // m, enlargement of the bounding circles
 
@@ -69,24 +72,32 @@ CAMBRIAN_INLINE bool PairList::has_expired(const PlanarModel& model,
     return largest_of(farthest) > 0.25 * kSpare * kSpare;
 }
 
+// Adds the contacts of a pair unless an axis of one box separates them.
+CAMBRIAN_INLINE void PairList::add_contacts(const PlanarModel& model, const Kinematics& kinematics,
+                                            const PartPlaces& places, int pair,
+                                            ContactSet& contacts) {
+    const int first = first_[pair];
+    const int second = second_[pair];
+    const int own = by_second_[pair] ? second : first;
+    const int other = by_second_[pair] ? first : second;
+    if (is_separated_by(placed_box(places, own), placed_box(places, other), kContactMargin)) return;
+    by_second_[pair] = !by_second_[pair];
+    const BoxManifold manifold =
+        collide_boxes(placed_box(places, first), placed_box(places, second), kContactMargin);
+    if (manifold.count > 0) add_points(model, kinematics, places, index_[pair], manifold, contacts);
+}
+
 void PairList::detect(const PlanarModel& model, const Kinematics& kinematics,
                       const PartPlaces& places, ContactSet& contacts) {
     if (model.colliding_pairs.empty()) return;
     if (has_expired(model, places)) rebuild(model, places);
-    for (int i = 0; i < count_; ++i) {
-        NearPair& pair = pairs_[i];
-        const double x = places.x[pair.second] - places.x[pair.first];
-        const double y = places.y[pair.second] - places.y[pair.first];
-        if (x * x + y * y >= pair.reach_squared) continue;
-        const PlacedBox first = placed_box(places, pair.first);
-        const PlacedBox second = placed_box(places, pair.second);
-        const bool is_apart = pair.by_second ? is_separated_by(second, first, kContactMargin)
-                                             : is_separated_by(first, second, kContactMargin);
-        if (is_apart) continue;
-        pair.by_second = !pair.by_second;
-        const BoxManifold manifold = collide_boxes(first, second, kContactMargin);
-        if (manifold.count > 0)
-            add_points(model, kinematics, places, pair.index, manifold, contacts);
+    for (int begin = 0; begin < count_; begin += kLanes) {
+        const Simd4d x = gather(places.x, second_ + begin) - gather(places.x, first_ + begin);
+        const Simd4d y = gather(places.y, second_ + begin) - gather(places.y, first_ + begin);
+        const unsigned far = true_lanes(x * x + y * y >= load_lanes(reach_squared_ + begin));
+        // What is not a number is not far; so the padding is left out by its place.
+        for (unsigned near = first_lanes(count_ - begin) & ~far; near != 0; near &= near - 1)
+            add_contacts(model, kinematics, places, begin + std::countr_zero(near), contacts);
     }
 }
 
@@ -104,7 +115,16 @@ void PairList::rebuild(const PlanarModel& model, const PartPlaces& places) {
         CAMBRIAN_TICK_ASSERT(count_ < kMostPairs, "pairs have room");
         CAMBRIAN_TICK_ASSERT(pair.first < pair.second && pair.second < model.part_count,
                              "two boxes");
-        pairs_[count_++] = {static_cast<int>(i), pair.first, pair.second, reach * reach, false};
+        index_[count_] = static_cast<int>(i);
+        first_[count_] = pair.first;
+        second_[count_] = pair.second;
+        reach_squared_[count_] = reach * reach;
+        by_second_[count_] = false;
+        ++count_;
+    }
+    for (int pair = count_; pair < round_up_to_lanes(count_); ++pair) {
+        first_[pair] = second_[pair] = 0;
+        reach_squared_[pair] = 0.0;
     }
 }
 

@@ -17,19 +17,19 @@ public:
     void forget() { built_ = false; }  // before the positions of another model
 
 private:
+    void add_contacts(const PlanarModel& model, const Kinematics& kinematics,
+                      const PartPlaces& places, int pair, ContactSet& contacts);
     bool has_expired(const PlanarModel& model, const PartPlaces& places) const;
     void rebuild(const PlanarModel& model, const PartPlaces& places);
 
-    struct NearPair {
-        int index;             // of the model's pairs
-        int first, second;     // parts
-        double reach_squared;  // m^2, between the centres
-        bool by_second;        // an axis of the second box is tried first to separate the boxes
-    };
     bool built_ = false;
     int count_ = 0;
-    NearPair pairs_[kMostPairs];
-    PerPart built_x_, built_y_;  // m, relative to part 0
+    // Of each pair. The padding to the vector width has parts, too, but is no pair.
+    int index_[kMostPairs];                       // of the model's pairs
+    int first_[kMostPairs], second_[kMostPairs];  // parts
+    double reach_squared_[kMostPairs];            // m^2, between the centres
+    bool by_second_[kMostPairs];  // an axis of the second box is tried first to separate the boxes
+    PerPart built_x_, built_y_;   // m, relative to part 0
 };
 
 }  // namespace cambrian

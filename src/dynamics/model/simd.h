@@ -96,7 +96,10 @@ CAMBRIAN_INLINE double largest_of(const Simd4d& lanes) {
     return low > high ? low : high;
 }
 
-inline constexpr unsigned kAllLanes = (1U << kLanes) - 1U;
+// Returns the first lanes as bits; all if there are more.
+inline constexpr unsigned first_lanes(int count) {
+    return (1U << (count < kLanes ? count : kLanes)) - 1U;
+}
 
 // Returns the lanes in which a comparison is true, as bits.
 CAMBRIAN_INLINE unsigned true_lanes(const Simd4i& comparison) {
