@@ -132,6 +132,7 @@ public:
 
     Result<PlanarModel> build() {
         if (Status status = plant_trees(); !status) return status.error();
+        order_by_depth(model_);
         for (int i = 0; i < model_.part_count; ++i)
             add_mass(i);
         for (int b = 0; b < model_.body_count; ++b) {

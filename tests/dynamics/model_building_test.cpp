@@ -1,11 +1,15 @@
 #include "dynamics/model_building.h"
 
 #include "dynamics/bodies.h"
+#include "dynamics/island/joined_model.h"
 #include "dynamics/refused_plan.h"
 #include "support/catch.h"
 
+#include <algorithm>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace cambrian;
 using test::refused;
@@ -46,6 +50,31 @@ TEST_CASE("bodies are numbered depth first", "[dynamics][model]") {
     CHECK(model->parent[2] == 1);
     CHECK(model->part_body[2] == 3);
     CHECK(model->parent[3] == 0);
+}
+
+TEST_CASE("bodies are listed by depth, and by number at the same depth", "[dynamics][model]") {
+    RandomStream random(stream_seed({16, 1}));
+    for (int round = 0; round < 300; ++round) {
+        const int parts = 1 + round % 30;
+        const PlanarModel first =
+            *build_planar_model(random_tree(random, parts, 0.3, 1.0, 0.2), 1.0);
+        const PlanarModel second = *build_planar_model(random_tree(random, 20, 0.3, 1.0, 0.2), 1.0);
+        const PlanarModel joined = join_models(std::vector{&first, &second});
+        for (const PlanarModel* model : {&first, &joined}) {
+            const auto depth = [&](int body) {
+                int steps = 0;
+                for (; model->parent[body] >= 0; body = model->parent[body])
+                    ++steps;
+                return steps;
+            };
+            std::vector<std::pair<int, int>> expected;
+            for (int body = 0; body < model->body_count; ++body)
+                expected.emplace_back(depth(body), body);
+            std::sort(expected.begin(), expected.end());
+            for (std::size_t at = 0; at < expected.size(); ++at)
+                REQUIRE(model->by_depth[at] == expected[at].second);
+        }
+    }
 }
 
 TEST_CASE("the rest pose of the model is that of the plan", "[dynamics][model]") {

@@ -224,19 +224,20 @@ CAMBRIAN_INLINE void solve(const PlanarModel& model, const Kinematics& kinematic
     Efforts efforts;
     PerBody u;
     load_bodies<kJoints>(model, kinematics, loads, inertias, efforts);
-    for (int tree = model.tree_count - 1; tree >= 0; --tree) {
+    for (int at = model.body_count - 1; at >= model.tree_count; --at) {
+        const int i = model.by_depth[at];
+        CAMBRIAN_TICK_ASSERT(model.parent[i] >= 0 && model.parent[i] < i, "not a root");
+        ArticulatedInertia& parent = inertias[model.parent[i]];
+        const Lever lever = lever_of(inertias[i]);
+        u[i] = slides<kJoints>(model, i)
+                   ? eliminate_prismatic<kMotors>(kinematics, loads.effort[i], i, inertias[i],
+                                                  lever, factors, parent)
+                   : eliminate_revolute<kMotors>(load_of(efforts, i), i, inertias[i], lever,
+                                                 factors, parent);
+    }
+    for (int tree = 0; tree < model.tree_count; ++tree) {
         const int root = model.tree_begin[tree];
         const int end = model.tree_begin[tree + 1];
-        CAMBRIAN_TICK_ASSERT(root < end && end <= model.body_count, "the bodies of a tree");
-        for (int i = end - 1; i > root; --i) {
-            ArticulatedInertia& parent = inertias[model.parent[i]];
-            const Lever lever = lever_of(inertias[i]);
-            u[i] = slides<kJoints>(model, i)
-                       ? eliminate_prismatic<kMotors>(kinematics, loads.effort[i], i, inertias[i],
-                                                      lever, factors, parent)
-                       : eliminate_revolute<kMotors>(load_of(efforts, i), i, inertias[i], lever,
-                                                     factors, parent);
-        }
         const ArticulatedInertia& all = inertias[root];
         factors.root[tree] =
             invert_inertia(all.x[0], all.x[1], all.y[1], all.turn[0], all.turn[1], all.turn[2]);

@@ -45,6 +45,7 @@ public:
     }
 
     PlanarModel take() {
+        order_by_depth(joined_);
         for (int i = joined_.part_count; i < round_up_to_lanes(joined_.part_count); ++i) {
             joined_.part_body[i] = joined_.part_body[0];
             joined_.part_x[i] = joined_.part_x[0];

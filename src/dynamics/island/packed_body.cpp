@@ -129,7 +129,7 @@ void visit_model(PlanarModel& model, const ChangedCounts& counts, Visitor& visit
     visitor.some(model.motion, now.bodies, before.bodies);
     visitor.some(model.motor_mode, now.bodies, before.bodies);
     visitor.some(model.root_path, now.bodies, before.bodies);
-    for (auto* indices : {&model.parent, &model.parent_slot, &model.stretch_slot})
+    for (auto* indices : {&model.parent, &model.parent_slot, &model.by_depth, &model.stretch_slot})
         visitor.some(*indices, now.bodies, before.bodies);
     visitor.some(model.part_body, now.parts, before.parts);
     visitor.some(model.part_joint, now.parts, before.parts);

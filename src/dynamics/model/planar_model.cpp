@@ -2,7 +2,26 @@
 
 #include "core/assert.h"
 
+#include <algorithm>
+
 namespace cambrian {
+
+void order_by_depth(PlanarModel& model) {
+    int depth[kMaxBodies];
+    int deepest = 0;
+    for (int i = 0; i < model.body_count; ++i) {
+        const int p = model.parent[i];
+        CAMBRIAN_TICK_ASSERT(p < i, "a parent comes before its children");
+        depth[i] = p < 0 ? 0 : depth[p] + 1;
+        deepest = std::max(deepest, depth[i]);
+    }
+    int count = 0;
+    for (int level = 0; level <= deepest; ++level) {
+        for (int i = 0; i < model.body_count; ++i) {
+            if (depth[i] == level) model.by_depth[count++] = i;
+        }
+    }
+}
 
 void derive_inertias(PlanarModel& model) {
     for (int i = 0; i < model.body_count; ++i) {

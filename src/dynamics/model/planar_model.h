@@ -91,6 +91,10 @@ struct PlanarModel {
     bool has_slides = false;
     int parent[kMaxBodies] = {};       // -1 on roots
     int parent_slot[kMaxBodies] = {};  // the parent, or the slot itself on roots and padding
+    // All bodies by their depth in the trees, the roots first, and by number at the same depth.
+    // Bodies of the same depth do not wait for each other, so the processor computes several at
+    // once.
+    int by_depth[kMaxBodies] = {};
     BodySet roots = 0;
     BodySet root_path[kMaxBodies] = {};                  // the bodies from this one to the root
     PerBody parent_anchor_x = {}, parent_anchor_y = {};  // m, in the parent's frame from its centre
@@ -153,6 +157,9 @@ inline void clear_slots(PlanarModel& model, int first) {
 inline bool has_single_boxes(const PlanarModel& model) {
     return model.part_count == model.body_count && model.stretch_count == 0;
 }
+
+// Fills `by_depth` from the parents, which come before their children.
+void order_by_depth(PlanarModel& model);
 
 // Fills the members that follow from masses, inertias and joints.
 void derive_inertias(PlanarModel& model);
