@@ -247,7 +247,7 @@ CAMBRIAN_INLINE void solve(const PlanarModel& model, const Kinematics& kinematic
                                                           response);
     }
     move_to_centers<Load::kForce>(model, kinematics, response);
-    move_centers(model, loads, response);
+    move_centers(model, loads, response.coordinate);
 }
 
 }  // namespace
@@ -320,7 +320,7 @@ CAMBRIAN_INLINE void solve_impulse_of(const PlanarModel& model, const Kinematics
                                                                       response);
     }
     move_to_centers<Load::kImpulse>(model, k, response);
-    move_centers(model, impulses, response);
+    move_centers(model, impulses, response.coordinate);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "dynamics/articulated/paired_impulses.h"
 
+#include "dynamics/articulated/root_inverse.h"
 #include "dynamics/articulated/stretched_tree.h"
 
 namespace cambrian {
@@ -169,19 +170,6 @@ CAMBRIAN_INLINE void solve_pair(const PlanarModel& model, const Kinematics& k,
         PairedImpulses<false> paired(model, k, factors);
         paired.load(impulses);
         paired.solve(jumps);
-    }
-}
-
-CAMBRIAN_INLINE void move_centers(const PlanarModel& model, const Loads& loads,
-                                  PerCoordinate& jump) {
-    const int slots = round_up_to_lanes(model.body_count);
-    for (int tree = 0; tree < model.tree_count; ++tree) {
-        const double share = 1.0 / model.tree_mass[tree];
-        const double* members = model.members_of(tree).membership;
-        const int center = center_of(model, tree);
-        const Simd4dVector forces = weighted_sums(members, loads.force_x, loads.force_y, slots);
-        jump[center] = share * sum_of(forces.x);
-        jump[center + 1] = share * sum_of(forces.y);
     }
 }
 

@@ -25,16 +25,17 @@ CAMBRIAN_INLINE void solve_root(const RootInverse& inverse, int root, const Simd
     response.coordinate[root] = response.spin[root];
 }
 
-// Computes the accelerations of the trees' centres of mass from the external forces.
+// Computes the accelerations or velocity jumps of the trees' centres of mass from the external
+// forces or impulses.
 CAMBRIAN_INLINE void move_centers(const PlanarModel& model, const Loads& loads,
-                                  BodyResponse& response) {
+                                  PerCoordinate& coordinate) {
     const int slots = round_up_to_lanes(model.body_count);
     for (int t = 0; t < model.tree_count; ++t) {
         const double* members = model.members_of(t).membership;
         const double share = 1.0 / model.tree_mass[t];
         const Simd4dVector forces = weighted_sums(members, loads.force_x, loads.force_y, slots);
-        response.coordinate[center_of(model, t)] = share * sum_of(forces.x);
-        response.coordinate[center_of(model, t) + 1] = share * sum_of(forces.y);
+        coordinate[center_of(model, t)] = share * sum_of(forces.x);
+        coordinate[center_of(model, t) + 1] = share * sum_of(forces.y);
     }
 }
 

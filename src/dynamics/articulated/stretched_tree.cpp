@@ -313,7 +313,7 @@ void solve_stretched_accelerations(const PlanarModel& model, const Kinematics& k
     start_loads(model, loads, passed);
     add_own_terms(model, kinematics, passed);
     respond_to_loads(model, kinematics, factors, loads.effort, biases, passed, response);
-    move_centers(model, loads, response);
+    move_centers(model, loads, response.coordinate);
 }
 
 void solve_stretched_impulse(const PlanarModel& model, const Kinematics& kinematics,
@@ -322,7 +322,7 @@ void solve_stretched_impulse(const PlanarModel& model, const Kinematics& kinemat
     PassedLoads passed;
     start_loads(model, impulses, passed);
     respond_to_loads(model, kinematics, factors, impulses.effort, nullptr, passed, response);
-    move_centers(model, impulses, response);
+    move_centers(model, impulses, response.coordinate);
 }
 
 }  // namespace cambrian

@@ -8,12 +8,10 @@ namespace cambrian {
 namespace {
 
 // Returns the drag of four boxes at these arms from the centres of their bodies, with the moment
-// about these centres. The velocity is the bodies' on entry.
-CAMBRIAN_INLINE BoxDrag drag_on_bodies(const Medium& medium, BoxMotion box,
+// about these centres.
+CAMBRIAN_INLINE BoxDrag drag_on_bodies(const Medium& medium, const BoxMotion& box,
                                        const Simd4dVector& arm) {
     CAMBRIAN_TICK_ASSERT(medium.drag_linear >= 0.0 && medium.drag_quadratic >= 0.0, "drag resists");
-    box.velocity.x -= box.spin * arm.y;
-    box.velocity.y += box.spin * arm.x;
     BoxDrag drag = drag_boxes(medium, box);
     drag.moment = drag.moment + arm.x * drag.force_y - arm.y * drag.force_x;
     return drag;
@@ -39,16 +37,15 @@ CAMBRIAN_INLINE double add_single_drag(const PlanarModel& model, const Medium& m
     PerBody power;
     for (int i = 0; i < model.body_count; i += kLanes) {
         const Simd4dVector axis = {load_lanes(k.cosine + i), load_lanes(k.sine + i)};
-        const Simd4d x = load_lanes(model.box_x + i);
-        const Simd4d y = load_lanes(model.box_y + i);
-        const BoxDrag drag =
-            drag_on_bodies(medium,
-                           {axis,
-                            {load_lanes(k.velocity_x + i), load_lanes(k.velocity_y + i)},
-                            load_lanes(k.spin + i),
-                            load_lanes(model.box_half_length + i),
-                            load_lanes(model.box_half_width + i)},
-                           {axis.x * x - axis.y * y, axis.y * x + axis.x * y});
+        const Simd4dVector arm =
+            turned({load_lanes(model.box_x + i), load_lanes(model.box_y + i)}, axis.x, axis.y);
+        const Simd4dVector velocity = {load_lanes(k.velocity_x + i), load_lanes(k.velocity_y + i)};
+        const Simd4d spin = load_lanes(k.spin + i);
+        const BoxDrag drag = drag_on_bodies(
+            medium,
+            {axis, velocities_at(arm, velocity, spin), spin, load_lanes(model.box_half_length + i),
+             load_lanes(model.box_half_width + i)},
+            arm);
         add_lanes(loads.force_x + i, drag.force_x);
         add_lanes(loads.force_y + i, drag.force_y);
         add_lanes(loads.torque + i, drag.moment);
@@ -65,10 +62,8 @@ CAMBRIAN_INLINE double add_welded_drag(const PlanarModel& model, const Medium& m
         const PartLanes parts = part_lanes(model, k, first);
         const BoxDrag drag =
             drag_on_bodies(medium,
-                           {part_axes(model, parts, first),
-                            {gather(k.velocity_x, bodies), gather(k.velocity_y, bodies)},
-                            gather(k.spin, bodies),
-                            load_lanes(model.half_length + first),
+                           {part_axes(model, parts, first), part_velocities(model, k, parts, first),
+                            gather(k.spin, bodies), load_lanes(model.half_length + first),
                             load_lanes(model.half_width + first)},
                            parts.arm);
         power += drag.power;

@@ -50,17 +50,16 @@ CAMBRIAN_INLINE void turn_joints(const PlanarModel& model, Kinematics& k, int fi
     const Simd4d sine = load_lanes(k.sine + first);
     const Simd4d pivot_x = load_lanes(model.pivot_x + first);
     const Simd4d pivot_y = load_lanes(model.pivot_y + first);
-    const Simd4d reach_x = load_lanes(model.reach_x + first);
-    const Simd4d reach_y = load_lanes(model.reach_y + first);
-    const Simd4d arm_x = parent_cosine * reach_x - parent_sine * reach_y;
-    const Simd4d arm_y = parent_sine * reach_x + parent_cosine * reach_y;
+    const Simd4dVector arm =
+        turned({load_lanes(model.reach_x + first), load_lanes(model.reach_y + first)},
+               parent_cosine, parent_sine);
     const Simd4d square = parent_spin * parent_spin;
     store_lanes(k.s_x + first, sine * pivot_x + cosine * pivot_y);
     store_lanes(k.s_y + first, sine * pivot_y - cosine * pivot_x);
-    store_lanes(k.z_x + first, -arm_y);
-    store_lanes(k.z_y + first, arm_x);
-    store_lanes(k.gamma_x + first, -square * arm_x);
-    store_lanes(k.gamma_y + first, -square * arm_y);
+    store_lanes(k.z_x + first, -arm.y);
+    store_lanes(k.z_y + first, arm.x);
+    store_lanes(k.gamma_x + first, -square * arm.x);
+    store_lanes(k.gamma_y + first, -square * arm.y);
     store_lanes(k.joint_position + first,
                 load_lanes(k.angle + first) - parent_angle - load_lanes(model.rest_angle + first));
     store_lanes(k.joint_rate + first, load_lanes(k.spin + first) - parent_spin);
@@ -95,7 +94,7 @@ CAMBRIAN_INLINE void slide_joint(const PlanarModel& model, const Motion& motion,
 
 // Sums the offsets of the pivots from their parents' pivots down the trees, adds the lever of each
 // centre, and shifts each tree so that its mean is the given centre. `lever` returns the levers of
-// four bodies.
+// four bodies. The mean of the first tree is summed in the same pass, as most creatures are one.
 template <class Lever>
 CAMBRIAN_INLINE void sum_from_roots(const PlanarModel& model, const double* center,
                                     const Lever& lever, double* x, double* y) {

@@ -27,26 +27,30 @@ CAMBRIAN_INLINE PartLanes part_lanes(const PlanarModel& model, const Kinematics&
     const int* bodies = model.part_body + first;
     const Simd4d cosine = gather(k.cosine, bodies);
     const Simd4d sine = gather(k.sine, bodies);
-    const Simd4d x = load_lanes(model.part_x + first);
-    const Simd4d y = load_lanes(model.part_y + first);
-    return {cosine, sine, {x, y}, {cosine * x - sine * y, sine * x + cosine * y}};
+    const Simd4dVector offset = {load_lanes(model.part_x + first),
+                                 load_lanes(model.part_y + first)};
+    return {cosine, sine, offset, turned(offset, cosine, sine)};
 }
 
 // Returns unit vectors along the boxes' lengths.
 CAMBRIAN_INLINE Simd4dVector part_axes(const PlanarModel& model, const PartLanes& parts,
                                        int first) {
-    const Simd4d cosine = load_lanes(model.part_cosine + first);
-    const Simd4d sine = load_lanes(model.part_sine + first);
-    return {parts.cosine * cosine - parts.sine * sine, parts.sine * cosine + parts.cosine * sine};
+    return turned({load_lanes(model.part_cosine + first), load_lanes(model.part_sine + first)},
+                  parts.cosine, parts.sine);
+}
+
+// Returns the velocities of points at these arms from bodies' centres, in m/s.
+CAMBRIAN_INLINE Simd4dVector velocities_at(const Simd4dVector& arm, const Simd4dVector& velocity,
+                                           const Simd4d& spin) {
+    return {velocity.x - spin * arm.y, velocity.y + spin * arm.x};
 }
 
 // Returns velocities of the boxes' centres, in m/s.
 CAMBRIAN_INLINE Simd4dVector part_velocities(const PlanarModel& model, const Kinematics& k,
                                              const PartLanes& parts, int first) {
     const int* bodies = model.part_body + first;
-    const Simd4d spin = gather(k.spin, bodies);
-    return {gather(k.velocity_x, bodies) - spin * parts.arm.y,
-            gather(k.velocity_y, bodies) + spin * parts.arm.x};
+    return velocities_at(parts.arm, {gather(k.velocity_x, bodies), gather(k.velocity_y, bodies)},
+                         gather(k.spin, bodies));
 }
 
 }  // namespace cambrian

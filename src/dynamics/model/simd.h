@@ -128,6 +128,12 @@ struct Simd4dVector {
     Simd4d x, y;
 };
 
+// Turns four vectors by angles with this cosine and sine.
+CAMBRIAN_INLINE Simd4dVector turned(const Simd4dVector& vector, const Simd4d& cosine,
+                                    const Simd4d& sine) {
+    return {cosine * vector.x - sine * vector.y, sine * vector.x + cosine * vector.y};
+}
+
 // Adds to four sums of weighted vectors those of the next four.
 CAMBRIAN_INLINE void add_weighted(const double* weights, const Simd4d& x, const Simd4d& y,
                                   Simd4dVector& sums) {
