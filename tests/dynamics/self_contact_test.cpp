@@ -1,9 +1,11 @@
 #include "dynamics/contact/box_contacts.h"
+#include "dynamics/contact/self_contacts.h"
 #include "dynamics/rig.h"
 #include "support/build_speed.h"
 #include "support/catch.h"
 
 #include <cmath>
+#include <limits>
 
 using namespace cambrian;
 
@@ -133,4 +135,28 @@ TEST_CASE("self-contact gives no energy away for free", "[dynamics][self_contact
     const SceneAudit& audit = scene->audit();
     CHECK(audit.positive_work < 0.02 * audit.gross_motor_work);
     CHECK(std::fabs(audit.energy_residual) < 0.02 * audit.gross_motor_work);
+}
+
+// The second model has one pair, in a vector that is filled up with pairs of the first.
+TEST_CASE("positions that are not numbers touch in no more pairs than there are",
+          "[dynamics][contact]") {
+    PairList list;
+    for (const bool is_diverged : {false, true}) {
+        const PlanarModel model = *build_planar_model(is_diverged ? clapper() : chain(8, 1.0), 1.0);
+        REQUIRE(
+            (is_diverged ? model.colliding_pairs.size() == 1 : model.colliding_pairs.size() > 4));
+        Kinematics kinematics;
+        compute_kinematics(model, rest_motion(model), kinematics);
+        PartPlaces places;
+        place_parts(model, kinematics, places);
+        ContactSet contacts;
+        list.forget();
+        list.detect(model, kinematics, places, contacts);
+        if (!is_diverged) continue;
+        for (int part = 0; part < round_up_to_lanes(model.part_count); ++part)
+            places.x[part] = std::numeric_limits<double>::quiet_NaN();
+        contacts.count = 0;
+        list.detect(model, kinematics, places, contacts);
+        CHECK(contacts.count <= 2);
+    }
 }
