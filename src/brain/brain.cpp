@@ -6,9 +6,19 @@ namespace cambrian {
 
 Brain::Brain(const Network& network, const NeuronFunctionRegistry& functions)
     : network_(&network), values_(network.slot_count()), memory_(network.memory_size) {
-    evaluate_.reserve(network.neurons.size());
-    for (const NetworkNeuron& neuron : network.neurons)
-        evaluate_.push_back(functions[neuron.function].evaluate);
+    live_.reserve(network.order.size());
+    for (const std::uint32_t index : network.order) {
+        const NetworkNeuron& neuron = network.neurons[index];
+        LiveNeuron& live = live_.emplace_back();
+        live.evaluate = functions[neuron.function].evaluate;
+        live.output = network.neuron_slot(index);
+        live.memory = neuron.memory;
+        live.has_third_input = neuron.arity == 3;
+        for (std::size_t i = 0; i < neuron.arity; ++i) {
+            live.inputs[i] = neuron.inputs[i].slot;
+            live.weights[i] = neuron.inputs[i].weight;
+        }
+    }
     reset();
 }
 
@@ -25,26 +35,29 @@ void Brain::reset() {
     values_[network_->constant_slot()] = 1.0;
 }
 
+// Weighs the first two inputs together. A neuron with one input ignores the second.
 void Brain::think(double dt) {
     double* const values = values_.data();
     double* const memory = memory_.data();
-    double* const outputs = values + network_->neuron_slot(0);
-    const NetworkNeuron* const neurons = network_->neurons.data();
-    for (const std::uint32_t index : network_->order) {
-        const NetworkNeuron& neuron = neurons[index];
-        std::array<double, 3> inputs{};
-        for (std::size_t i = 0; i < neuron.arity; ++i) {
-            inputs[i] = limit_signal(neuron.inputs[i].weight * values[neuron.inputs[i].slot]);
-        }
-        const double result = evaluate_[index](inputs.data(), memory + neuron.memory, dt);
-        outputs[index] = limit_signal(result);
-        if (!forced_.empty()) overwrite(index);
+    const bool overwrites = !forced_.empty();
+    std::array<double, 3> inputs{};
+    for (const LiveNeuron& neuron : live_) {
+        const SignalPair pair =
+            limit_signals(SignalPair{neuron.weights[0], neuron.weights[1]} *
+                          SignalPair{values[neuron.inputs[0]], values[neuron.inputs[1]]});
+        inputs[0] = pair[0];
+        inputs[1] = pair[1];
+        if (neuron.has_third_input)
+            inputs[2] = limit_signal(neuron.weights[2] * values[neuron.inputs[2]]);
+        const double result = neuron.evaluate(inputs.data(), memory + neuron.memory, dt);
+        values[neuron.output] = limit_signal(result);
+        if (overwrites) overwrite(neuron.output);
     }
 }
 
-void Brain::overwrite(std::size_t neuron) {
+void Brain::overwrite(Slot slot) {
     for (const auto& [forced, value] : forced_) {
-        if (forced == neuron) values_[network_->neuron_slot(neuron)] = value;
+        if (network_->neuron_slot(forced) == slot) values_[slot] = value;
     }
 }
 

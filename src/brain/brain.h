@@ -3,7 +3,9 @@
 #include "brain/network.h"
 #include "core/assert.h"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -38,10 +40,20 @@ public:
     void release_all() { forced_.clear(); }
 
 private:
-    void overwrite(std::size_t neuron);
+    // A connected neuron with all that think() needs of it.
+    struct LiveNeuron {
+        NeuronFunctionKind::Evaluate evaluate = nullptr;
+        Slot output = 0;
+        std::uint32_t memory = 0;  // index of its first memory value
+        std::array<Slot, 3> inputs = {};
+        bool has_third_input = false;
+        std::array<double, 3> weights = {};
+    };
+
+    void overwrite(Slot slot);
 
     const Network* network_;
-    std::vector<NeuronFunctionKind::Evaluate> evaluate_;  // one per neuron
+    std::vector<LiveNeuron> live_;  // in order of evaluation
     std::vector<double> values_;
     std::vector<double> memory_;
     std::vector<std::pair<std::size_t, double>> forced_;

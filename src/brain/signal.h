@@ -15,6 +15,21 @@ inline double limit_signal(double x) {
     return low < kSignalLimit ? low : kSignalLimit;
 }
 
+// Two signals that are computed with together.
+using SignalPair = double __attribute__((vector_size(2 * sizeof(double))));
+
+// Limits each of the two as limit_signal() does.
+inline SignalPair limit_signals(SignalPair x) {
+    constexpr SignalPair kLimit = {kSignalLimit, kSignalLimit};
+    const SignalPair number = x == x ? x : SignalPair{};
+#ifdef __SSE2__
+    return __builtin_ia32_minpd(__builtin_ia32_maxpd(number, -kLimit), kLimit);
+#else
+    const SignalPair low = number > -kLimit ? number : -kLimit;
+    return low < kLimit ? low : kLimit;
+#endif
+}
+
 // True is +1 and false is -1, as a contact sensor reads.
 inline double truth(bool value) {
     return value ? 1.0 : -1.0;

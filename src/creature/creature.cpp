@@ -51,7 +51,6 @@ SensorSite Creature::site_of(const WiredSensor& sensor, const BodyView& body,
 
 // Computes what is the same in every tick of the same scene and length.
 void Creature::prepare(const BodyView& body, const Surroundings& surroundings, double dt) {
-    if (dt == tick_ && &body == body_ && &surroundings == surroundings_) return;
     tick_ = dt;
     body_ = &body;
     surroundings_ = &surroundings;
@@ -65,11 +64,10 @@ void Creature::prepare(const BodyView& body, const Surroundings& surroundings, d
 }
 
 void Creature::sense() {
-    const std::span<double> readings = brain_.sensors();
-    for (std::size_t i = 0; i < readings.size(); ++i) {
-        const Reader& reader = readers_[i];
-        readings[i] = reader.scale * reader.read(reader.site, sensor_memory_[i]);
-    }
+    double* reading = brain_.sensors().data();
+    double* memory = sensor_memory_.data();
+    for (const Reader& reader : readers_)
+        *reading++ = reader.scale * reader.read(reader.site, *memory++);
 }
 
 double Creature::reading(std::size_t sensor, const BodyView& body,
@@ -80,18 +78,23 @@ double Creature::reading(std::size_t sensor, const BodyView& body,
 }
 
 void Creature::act(PhysicsScene& scene, const Surroundings& surroundings, double dt) {
-    prepare(scene, surroundings, dt);
+    if (dt != tick_ || &scene != body_ || &surroundings != surroundings_)
+        prepare(scene, surroundings, dt);
     sense();
     CAMBRIAN_TICK_ASSERT(settings_->brain_steps > 0 && dt > 0.0, "a brain thinks");
     const int steps = settings_->brain_steps;
     for (int step = 0; step < steps; ++step)
         brain_.think(dt / steps);
-    for (std::size_t i = 0; i < drivers_.size(); ++i) {
-        const Driver& driver = drivers_[i];
-        driver.drive(driver.site, brain_.output(i), smoothing_share_, *settings_,
-                     effector_memory_[i], scene);
-    }
+    drive(scene);
     if (!organ_acts_.empty()) use_organs(scene, dt);
+}
+
+void Creature::drive(PhysicsScene& scene) {
+    std::size_t output = 0;
+    double* memory = effector_memory_.data();
+    for (const Driver& driver : drivers_)
+        driver.drive(driver.site, brain_.output(output++), smoothing_share_, *settings_, *memory++,
+                     scene);
 }
 
 void Creature::use_organs(PhysicsScene& scene, double dt) {

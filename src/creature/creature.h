@@ -63,6 +63,7 @@ private:
 
     void prepare(const BodyView& body, const Surroundings& surroundings, double dt);
     void sense();
+    void drive(PhysicsScene& scene);
     void use_organs(PhysicsScene& scene, double dt);
     SensorSite site_of(const WiredSensor& sensor, const BodyView& body,
                        const Surroundings& surroundings, double share) const;

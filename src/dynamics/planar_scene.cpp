@@ -104,6 +104,8 @@ public:
     Bounds bounds() const override;
     double lowest_point() const override;
 
+    void list_joint_coordinates(std::span<const std::uint16_t> parts,
+                                std::span<double> coordinates) const override;
     void set_target(std::size_t part, double target) override;
     double target(std::size_t part) const override;
     double largest_target_change() const override;
@@ -264,9 +266,19 @@ Twist PlanarScene::part_twist(std::size_t part) const {
 }
 
 double PlanarScene::joint_coordinate(std::size_t part) const {
-    const SceneBody& own = body();
-    const int joint = own.model.part_joint[checked(part)];
-    return joint < 0 ? 0.0 : own.state.cache().kinematics.joint_position[joint];
+    const int joint = joint_of(part);
+    return joint < 0 ? 0.0 : body().state.cache().kinematics.joint_position[joint];
+}
+
+void PlanarScene::list_joint_coordinates(std::span<const std::uint16_t> parts,
+                                         std::span<double> coordinates) const {
+    CAMBRIAN_ASSERT(coordinates.size() == parts.size(), "a place for each coordinate");
+    const PerBody& positions = body().state.cache().kinematics.joint_position;
+    double* coordinate = coordinates.data();
+    for (const std::uint16_t part : parts) {
+        const int joint = joint_of(part);
+        *coordinate++ = joint < 0 ? 0.0 : positions[joint];
+    }
 }
 
 double PlanarScene::joint_rate(std::size_t part) const {
@@ -361,10 +373,13 @@ void PlanarScene::set_stretch_target(std::size_t part, double target) {
 void PlanarScene::set_slot_target(int slot, double target) {
     if (slot < 0) return;
     SceneBody& own = body();
-    if (!std::isfinite(target)) target = 0.0;
-    if (own.model.motor_mode[slot] == MotorMode::kPosition)
-        target = std::clamp(target, own.model.limit_low[slot], own.model.limit_high[slot]);
-    own.state.drive_end[slot] = target;
+    double reached = std::isfinite(target) ? target : 0.0;
+    if (own.model.motor_mode[slot] == MotorMode::kPosition) {
+        const double low = own.model.limit_low[slot];
+        const double high = own.model.limit_high[slot];
+        reached = std::min(std::max(reached, low), high);
+    }
+    own.state.drive_end[slot] = reached;
 }
 
 double PlanarScene::target(std::size_t part) const {

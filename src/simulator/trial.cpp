@@ -58,6 +58,7 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
       surroundings_(world_.environment, world_.light, phenotype_->rest_length(),
                     senses_of(*phenotype_, kinds)),
       creature_(*phenotype_, kinds, world_.scene),
+      coordinates_(phenotype_->effector_parts.size()),
       progress_{.rest = RestWatch(phenotype_->network, kinds.functions)} {
     progress_.record.duration = world_.trial.duration;
     progress_.record.rest_length = phenotype_->rest_length();
@@ -188,9 +189,7 @@ void Trial::test_tick() {
         fail_with(status);
         return;
     }
-    for (std::size_t i = 0; i < progress_.reversals.size(); ++i) {
-        progress_.reversals[i].watch(scene_->joint_coordinate(phenotype_->effector_parts[i]));
-    }
+    watch_reversals();
     check_guards();
     if (progress_.finished) return;
     watch_jumps();
@@ -215,6 +214,13 @@ void Trial::stop_early(Outcome outcome, std::string reason) {
     progress_.record.outcome = outcome;
     progress_.record.reason = std::move(reason);
     finish();
+}
+
+void Trial::watch_reversals() {
+    scene_->list_joint_coordinates(phenotype_->effector_parts, coordinates_);
+    const double* coordinate = coordinates_.data();
+    for (ReversalCounter& joint : progress_.reversals)
+        joint.watch(*coordinate++);
 }
 
 // Without ground there are no jumps.

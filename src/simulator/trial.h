@@ -126,6 +126,7 @@ private:
     void begin_test();
     void move_light();
     void pass_on_emissions();
+    void watch_reversals();
     void watch_jumps();
     void sample();
     double distance_to_light() const;
@@ -144,6 +145,7 @@ private:
     TrialSurroundings surroundings_;
     std::vector<SceneImpact> impacts_;  // of the last tick
     Creature creature_;
+    std::vector<double> coordinates_;  // of the effectors' joints, after the last tick
     Progress progress_;
 };
 

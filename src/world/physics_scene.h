@@ -104,6 +104,10 @@ inline constexpr int kMostPulls = 4;
 
 class PhysicsScene : public BodyView {
 public:
+    // Writes the joint coordinate of each of these parts, in their order.
+    virtual void list_joint_coordinates(std::span<const std::uint16_t> parts,
+                                        std::span<double> coordinates) const = 0;
+
     // Sets the motor target of the joint between a part and its parent, in the unit of the motor
     // mode: joint coordinate, joint rate, or share of max_effort. The motor's target approaches it
     // linearly during the next tick and then stays. Ignored for the root and for rigid joints.

@@ -5,6 +5,11 @@
 #include "core/random.h"
 #include "support/catch.h"
 
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
 using namespace cambrian;
 
 namespace {
@@ -130,4 +135,19 @@ TEST_CASE("a forced neuron keeps its value until released", "[brain]") {
     brain.release(1);
     brain.think(1.0 / 60.0);
     CHECK(brain.output(0) == -2.0);
+}
+
+TEST_CASE("two signals are limited together as each alone", "[brain]") {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const double values[] = {0.0,   -0.0,      2.5,      -2.5,   kSignalLimit,
+                             1e300, -infinity, infinity, -1e300, std::nan("")};
+    for (const double first : values) {
+        for (const double second : values) {
+            const SignalPair limited = limit_signals(SignalPair{first, second});
+            REQUIRE(std::bit_cast<std::uint64_t>(limited[0]) ==
+                    std::bit_cast<std::uint64_t>(limit_signal(first)));
+            REQUIRE(std::bit_cast<std::uint64_t>(limited[1]) ==
+                    std::bit_cast<std::uint64_t>(limit_signal(second)));
+        }
+    }
 }

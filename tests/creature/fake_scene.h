@@ -53,6 +53,11 @@ public:
     Bounds bounds() const override { return {}; }
     double lowest_point() const override { return 0.0; }
 
+    void list_joint_coordinates(std::span<const std::uint16_t> parts,
+                                std::span<double> into) const override {
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            into[i] = coordinates[parts[i]];
+    }
     void set_target(std::size_t part, double target) override { targets[part] = target; }
     double target(std::size_t part) const override { return targets[part]; }
     double largest_target_change() const override { return 0.0; }

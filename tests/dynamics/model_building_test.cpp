@@ -6,6 +6,7 @@
 #include "support/catch.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -91,6 +92,25 @@ TEST_CASE("the rest pose of the model is that of the plan", "[dynamics][model]")
             CHECK(scene->joint_coordinate(i) == Approx(0.0).margin(1e-12));
         }
     }
+}
+
+TEST_CASE("joint coordinates are listed in the order of the parts asked for", "[dynamics][model]") {
+    RandomStream random(stream_seed({32}));
+    BodyPlan plan = random_tree(random, 10, 0.3, 1.0, 1.0);
+    plan.parts[4].motion = kRigidJoint;
+    const auto scene = make_scene(plan, empty_space());
+    for (std::size_t part = 1; part < plan.parts.size(); ++part)
+        scene->set_target(part, 0.1 * static_cast<double>(part));
+    for (int tick = 0; tick < 30; ++tick)
+        scene->advance(1.0 / 60.0);
+    const std::vector<std::uint16_t> parts = {9, 4, 1, 0, 7};
+    std::vector<double> coordinates(parts.size(), -1.0);
+    scene->list_joint_coordinates(parts, coordinates);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        CHECK(coordinates[i] == scene->joint_coordinate(parts[i]));
+    CHECK(coordinates[0] != 0.0);
+    CHECK(coordinates[0] != coordinates[2]);
+    CHECK(coordinates[1] == 0.0);
 }
 
 TEST_CASE("jointed, overlapping and welded boxes never collide", "[dynamics][model]") {
