@@ -1,5 +1,7 @@
 #include "dynamics/contact/box_contacts.h"
 #include "dynamics/contact/self_contacts.h"
+#include "dynamics/island/joined_model.h"
+#include "dynamics/random_motion.h"
 #include "dynamics/rig.h"
 #include "support/build_speed.h"
 #include "support/catch.h"
@@ -137,7 +139,50 @@ TEST_CASE("self-contact gives no energy away for free", "[dynamics][self_contact
     CHECK(std::fabs(audit.energy_residual) < 0.02 * audit.gross_motor_work);
 }
 
-// The second model has one pair, in a vector that is filled up with pairs of the first.
+TEST_CASE("the list of pairs finds the contacts of all pairs in their order",
+          "[dynamics][contact]") {
+    RandomStream random(stream_seed({77}));
+    int touching = 0;
+    for (int round = 0; round < 40; ++round) {
+        const PlanarModel one = *build_planar_model(random_tree(random, 14, 0.3, 1.0, 1.0), 1.0);
+        const PlanarModel* const two[] = {&one, &one};
+        const PlanarModel model = round % 2 == 0 ? one : join_models(two);
+        PairList list;
+        list.forget();
+        Motion motion = random_motion(random, model);
+        for (int moment = 0; moment < 20; ++moment) {
+            for (int c = 0; c < coordinate_count(model); ++c)
+                motion.position[c] += 0.03 * random.gauss();
+            Kinematics kinematics;
+            compute_kinematics(model, motion, kinematics);
+            PartPlaces places;
+            place_parts(model, kinematics, places);
+            ContactSet contacts;
+            contacts.most = kMaxContacts;
+            list.detect(model, kinematics, places, contacts);
+            if (contacts.count == kMaxContacts) continue;  // some were dropped
+            int at = 0;
+            for (std::size_t i = 0; i < model.colliding_pairs.size(); ++i) {
+                const PartPair pair = model.colliding_pairs[i];
+                const BoxManifold points =
+                    collide_boxes(placed_box(places, pair.first), placed_box(places, pair.second),
+                                  kContactMargin);
+                for (int point = 0; point < points.count; ++point, ++at) {
+                    REQUIRE(at < contacts.count);
+                    const int id = kGroundContactIds + kIdsPerPair * static_cast<int>(i) +
+                                   (points.first_is_incident ? 4 : 0) + points.corner[point];
+                    REQUIRE(contacts.items[at].id == id);
+                    REQUIRE(contacts.items[at].gap == points.gap[point]);
+                }
+            }
+            REQUIRE(contacts.count == at);
+            touching += at;
+        }
+    }
+    CHECK(touching > 400);
+}
+
+// The second model has one pair, in a group whose other lanes are no pairs.
 TEST_CASE("positions that are not numbers touch in no more pairs than there are",
           "[dynamics][contact]") {
     PairList list;

@@ -47,12 +47,6 @@ inline AxisGaps axis_gaps(const PlacedBox& own, const PlacedBox& other) {
                 across * other.half_length - along * other.half_width};
 }
 
-// Whether an axis of one box separates it from another by more than the margin.
-inline bool is_separated_by(const PlacedBox& own, const PlacedBox& other, double margin) {
-    const AxisGaps gaps = axis_gaps(own, other);
-    return gaps.length > margin || gaps.width > margin;
-}
-
 // Returns the face of a part whose normal is nearest to a direction in the world.
 inline std::uint8_t touching_face(const PartPlaces& places, int part, double x, double y) {
     const double along = places.axis_x[part] * x + places.axis_y[part] * y;

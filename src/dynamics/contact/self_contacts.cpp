@@ -10,17 +10,55 @@
 namespace cambrian {
 namespace {
 
-static_assert(kMostPairs % kLanes == 0, "four pairs are tested at once");
+static_assert(kMostPairs <= UINT16_MAX && kMaxParts <= UINT8_MAX + 1, "groups have small numbers");
+static_assert(kMaxParts % kLanes == 0, "four boxes are loaded at once");
 
 constexpr double kSpare = 0.25;  // m, enlargement of the bounding circles
 
-// Whether the bounding circles of two boxes are nearer than the margin.
-bool circles_near(const PlanarModel& model, const PartPlaces& places, const PartPair& pair,
-                  double margin) {
-    const double x = places.x[pair.second] - places.x[pair.first];
-    const double y = places.y[pair.second] - places.y[pair.first];
-    const double reach = model.radius[pair.first] + model.radius[pair.second] + margin;
-    return x * x + y * y < reach * reach;
+// One box with the four others of a group.
+struct BoxAndFour {
+    Simd4dVector from_first;  // m, between the centres
+    Simd4d reach;             // m, sum of the radii of the bounding circles
+};
+
+CAMBRIAN_INLINE BoxAndFour box_and_four(const PlanarModel& model, const PartPlaces& places,
+                                        int first, int second) {
+    return {{load_lanes(places.x + second) - places.x[first],
+             load_lanes(places.y + second) - places.y[first]},
+            model.radius[first] + load_lanes(model.radius + second)};
+}
+
+CAMBRIAN_INLINE Simd4d squared_length(const Simd4dVector& vector) {
+    return vector.x * vector.x + vector.y * vector.y;
+}
+
+CAMBRIAN_INLINE Simd4i is_beyond_margin(const Simd4d& length_gap, const Simd4d& width_gap) {
+    return greater(length_gap, width_gap) > kContactMargin;
+}
+
+// Returns those of the lanes in which no axis of one of the two boxes separates them by more than
+// the margin. What is not a number separates nothing.
+CAMBRIAN_INLINE unsigned unseparated_lanes(const PartPlaces& places, const BoxAndFour& boxes,
+                                           int first, int second, unsigned lanes) {
+    const auto [x, y] = boxes.from_first;
+    const double own_x = places.axis_x[first];
+    const double own_y = places.axis_y[first];
+    const double own_length = places.half_length[first];
+    const double own_width = places.half_width[first];
+    const Simd4d axis_x = load_lanes(places.axis_x + second);
+    const Simd4d axis_y = load_lanes(places.axis_y + second);
+    const Simd4d length = load_lanes(places.half_length + second);
+    const Simd4d width = load_lanes(places.half_width + second);
+    const Simd4d along = magnitude(own_x * axis_x + own_y * axis_y);
+    const Simd4d across = magnitude(own_x * axis_y - own_y * axis_x);
+    lanes &= ~true_lanes(is_beyond_margin(
+        magnitude(own_x * x + own_y * y) - own_length - along * length - across * width,
+        magnitude(own_x * y - own_y * x) - own_width - across * length - along * width));
+    if (lanes == 0) return 0;
+    return lanes & ~true_lanes(is_beyond_margin(magnitude(axis_x * x + axis_y * y) - length -
+                                                    along * own_length - across * own_width,
+                                                magnitude(axis_x * y - axis_y * x) - width -
+                                                    across * own_length - along * own_width));
 }
 
 void add_points(const PlanarModel& model, const Kinematics& k, const PartPlaces& places,
@@ -59,10 +97,31 @@ void add_points(const PlanarModel& model, const Kinematics& k, const PartPlaces&
 
 }  // namespace
 
+void PairList::group_pairs(const PlanarModel& model) {
+    is_grouped_ = true;
+    group_count_ = 0;
+    for (std::size_t i = 0; i < model.colliding_pairs.size(); ++i) {
+        const PartPair pair = model.colliding_pairs[i];
+        CAMBRIAN_TICK_ASSERT(pair.first < pair.second && pair.second < model.part_count,
+                             "two boxes");
+        const auto begin = static_cast<std::uint8_t>(pair.second & -kLanes);
+        const auto lane = static_cast<std::uint8_t>(1U << (pair.second - begin));
+        if (group_count_ > 0) {
+            Group& last = groups_[group_count_ - 1];
+            if (last.first == pair.first && last.second == begin && last.lanes < lane) {
+                last.lanes |= lane;
+                continue;
+            }
+        }
+        CAMBRIAN_TICK_ASSERT(group_count_ < kMostPairs, "pairs have room");
+        groups_[group_count_++] = {static_cast<std::uint16_t>(i), pair.first, begin, lane, 0};
+    }
+}
+
 // The list is valid until a box has moved by half the enlargement relative to part 0.
 CAMBRIAN_INLINE bool PairList::has_expired(const PlanarModel& model,
                                            const PartPlaces& places) const {
-    if (!built_) return true;
+    if (!is_built_) return true;
     Simd4d farthest = {};
     for (int part = 0; part < model.part_count; part += kLanes) {
         const Simd4d x = load_lanes(places.x + part) - places.x[0] - load_lanes(built_x_ + part);
@@ -72,59 +131,55 @@ CAMBRIAN_INLINE bool PairList::has_expired(const PlanarModel& model,
     return largest_of(farthest) > 0.25 * kSpare * kSpare;
 }
 
-// Adds the contacts of a pair unless an axis of one box separates them.
-CAMBRIAN_INLINE void PairList::add_contacts(const PlanarModel& model, const Kinematics& kinematics,
-                                            const PartPlaces& places, int pair,
-                                            ContactSet& contacts) {
-    const int first = first_[pair];
-    const int second = second_[pair];
-    const int own = by_second_[pair] ? second : first;
-    const int other = by_second_[pair] ? first : second;
-    if (is_separated_by(placed_box(places, own), placed_box(places, other), kContactMargin)) return;
-    by_second_[pair] = !by_second_[pair];
-    const BoxManifold manifold =
-        collide_boxes(placed_box(places, first), placed_box(places, second), kContactMargin);
-    if (manifold.count > 0) add_points(model, kinematics, places, index_[pair], manifold, contacts);
+void PairList::rebuild(const PlanarModel& model, const PartPlaces& places) {
+    is_built_ = true;
+    for (int part = 0; part < round_up_to_lanes(model.part_count); ++part) {
+        built_x_[part] = places.x[part] - places.x[0];
+        built_y_[part] = places.y[part] - places.y[0];
+    }
+    listed_count_ = 0;
+    for (int g = 0; g < group_count_; ++g) {
+        const Group& group = groups_[g];
+        const BoxAndFour boxes = box_and_four(model, places, group.first, group.second);
+        const Simd4d reach = boxes.reach + (kContactMargin + kSpare);
+        const unsigned near =
+            group.lanes & true_lanes(squared_length(boxes.from_first) < reach * reach);
+        if (near == 0) continue;
+        listed_[listed_count_] = group;
+        listed_[listed_count_++].near = static_cast<std::uint8_t>(near);
+    }
+}
+
+// Adds the contacts of the boxes in these lanes.
+void PairList::add_contacts(const PlanarModel& model, const Kinematics& kinematics,
+                            const PartPlaces& places, const Group& group, unsigned lanes,
+                            ContactSet& contacts) {
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const int lane = std::countr_zero(lanes);
+        const BoxManifold manifold =
+            collide_boxes(placed_box(places, group.first), placed_box(places, group.second + lane),
+                          kContactMargin);
+        if (manifold.count == 0) continue;
+        const int before = std::popcount(group.lanes & ((1U << lane) - 1U));
+        add_points(model, kinematics, places, group.index + before, manifold, contacts);
+    }
 }
 
 void PairList::detect(const PlanarModel& model, const Kinematics& kinematics,
                       const PartPlaces& places, ContactSet& contacts) {
     if (model.colliding_pairs.empty()) return;
+    if (!is_grouped_) group_pairs(model);
     if (has_expired(model, places)) rebuild(model, places);
-    for (int begin = 0; begin < count_; begin += kLanes) {
-        const Simd4d x = gather(places.x, second_ + begin) - gather(places.x, first_ + begin);
-        const Simd4d y = gather(places.y, second_ + begin) - gather(places.y, first_ + begin);
-        const unsigned far = true_lanes(x * x + y * y >= load_lanes(reach_squared_ + begin));
-        // What is not a number is not far; so the padding is left out by its place.
-        for (unsigned near = first_lanes(count_ - begin) & ~far; near != 0; near &= near - 1)
-            add_contacts(model, kinematics, places, begin + std::countr_zero(near), contacts);
-    }
-}
-
-void PairList::rebuild(const PlanarModel& model, const PartPlaces& places) {
-    built_ = true;
-    for (int part = 0; part < round_up_to_lanes(model.part_count); ++part) {
-        built_x_[part] = places.x[part] - places.x[0];
-        built_y_[part] = places.y[part] - places.y[0];
-    }
-    count_ = 0;
-    for (std::size_t i = 0; i < model.colliding_pairs.size(); ++i) {
-        const PartPair pair = model.colliding_pairs[i];
-        if (!circles_near(model, places, pair, kContactMargin + kSpare)) continue;
-        const double reach = model.radius[pair.first] + model.radius[pair.second] + kContactMargin;
-        CAMBRIAN_TICK_ASSERT(count_ < kMostPairs, "pairs have room");
-        CAMBRIAN_TICK_ASSERT(pair.first < pair.second && pair.second < model.part_count,
-                             "two boxes");
-        index_[count_] = static_cast<int>(i);
-        first_[count_] = pair.first;
-        second_[count_] = pair.second;
-        reach_squared_[count_] = reach * reach;
-        by_second_[count_] = false;
-        ++count_;
-    }
-    for (int pair = count_; pair < round_up_to_lanes(count_); ++pair) {
-        first_[pair] = second_[pair] = 0;
-        reach_squared_[pair] = 0.0;
+    for (int l = 0; l < listed_count_; ++l) {
+        const Group& group = listed_[l];
+        const BoxAndFour boxes = box_and_four(model, places, group.first, group.second);
+        const Simd4d reach = boxes.reach + kContactMargin;
+        // What is not a number is not far.
+        const unsigned far = true_lanes(squared_length(boxes.from_first) >= reach * reach);
+        const unsigned near = group.near & ~far;
+        if (near == 0) continue;
+        const unsigned touching = unseparated_lanes(places, boxes, group.first, group.second, near);
+        if (touching != 0) add_contacts(model, kinematics, places, group, touching, contacts);
     }
 }
 

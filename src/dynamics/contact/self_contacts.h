@@ -5,31 +5,43 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/model/part_places.h"
 
+#include <cstdint>
+
 namespace cambrian {
 
 // List of the pairs that are near enough to be tested. It is rebuilt when boxes have moved too far;
 // the contacts do not depend on when that happened.
 class PairList {
 public:
-    // Adds all contacts nearer than kContactMargin, at most two for each pair.
+    // Adds all contacts nearer than kContactMargin, at most two for each pair, in the order of the
+    // model's pairs.
     void detect(const PlanarModel& model, const Kinematics& kinematics, const PartPlaces& places,
                 ContactSet& contacts);
-    void forget() { built_ = false; }  // before the positions of another model
+    // Before the positions or the pairs of another model.
+    void forget() { is_grouped_ = is_built_ = false; }
 
 private:
-    void add_contacts(const PlanarModel& model, const Kinematics& kinematics,
-                      const PartPlaces& places, int pair, ContactSet& contacts);
+    // Consecutive pairs of one box with some of four others, which are tested at once.
+    struct Group {
+        std::uint16_t index;  // of the first pair, among the model's
+        std::uint8_t first;   // part
+        std::uint8_t second;  // part; the first of the four, a multiple of kLanes
+        std::uint8_t lanes;   // that are pairs: a bit for each of the four
+        std::uint8_t near;    // lanes with pairs near enough to be tested
+    };
+
+    void group_pairs(const PlanarModel& model);
     bool has_expired(const PlanarModel& model, const PartPlaces& places) const;
     void rebuild(const PlanarModel& model, const PartPlaces& places);
+    void add_contacts(const PlanarModel& model, const Kinematics& kinematics,
+                      const PartPlaces& places, const Group& group, unsigned lanes,
+                      ContactSet& contacts);
 
-    bool built_ = false;
-    int count_ = 0;
-    // Of each pair. The padding to the vector width has parts, too, but is no pair.
-    int index_[kMostPairs];                       // of the model's pairs
-    int first_[kMostPairs], second_[kMostPairs];  // parts
-    double reach_squared_[kMostPairs];            // m^2, between the centres
-    bool by_second_[kMostPairs];  // an axis of the second box is tried first to separate the boxes
-    PerPart built_x_, built_y_;   // m, relative to part 0
+    bool is_grouped_ = false, is_built_ = false;
+    int group_count_ = 0, listed_count_ = 0;
+    Group groups_[kMostPairs];
+    Group listed_[kMostPairs];   // those with pairs near enough to be tested
+    PerPart built_x_, built_y_;  // m, relative to part 0
 };
 
 }  // namespace cambrian
