@@ -64,6 +64,7 @@ void Creature::prepare(const BodyView& body, const Surroundings& surroundings, d
 }
 
 void Creature::sense() {
+    CAMBRIAN_TICK_ASSERT(readers_.size() == brain_.sensors().size(), "a reading of each sensor");
     double* reading = brain_.sensors().data();
     double* memory = sensor_memory_.data();
     for (const Reader& reader : readers_)
