@@ -19,9 +19,7 @@ struct SeparatingAxis {
 };
 
 // Tests both axes of one box; returns false if one of them separates by more than the margin.
-bool try_axes(const PlacedBox& own, const PlacedBox& other, bool of_first, double margin,
-              SeparatingAxis& best) {
-    const AxisGaps gaps = axis_gaps(own, other);
+bool try_axes(const AxisGaps<double>& gaps, bool of_first, double margin, SeparatingAxis& best) {
     if (gaps.length > margin || gaps.width > margin) return false;
     if (gaps.length > best.gap + kAxisPreference) best = {gaps.length, of_first, true};
     if (gaps.width > best.gap + kAxisPreference) best = {gaps.width, of_first, false};
@@ -77,8 +75,9 @@ BoxManifold collide_boxes(const PlacedBox& first, const PlacedBox& second, doubl
     CAMBRIAN_TICK_ASSERT(second.half_length > 0.0 && second.half_width > 0.0, "a box has an area");
     BoxManifold manifold;
     SeparatingAxis axis;
-    if (!try_axes(first, second, true, margin, axis)) return manifold;
-    if (!try_axes(second, first, false, margin, axis)) return manifold;
+    const BoxRelation<double> relation = relation_of(first, second);
+    if (!try_axes(axis_gaps(first, second, relation), true, margin, axis)) return manifold;
+    if (!try_axes(axis_gaps(second, first, relation), false, margin, axis)) return manifold;
     manifold.first_is_incident = !axis.of_first;
     const PlacedBox& reference = axis.of_first ? first : second;
     const PlacedBox& incident = axis.of_first ? second : first;

@@ -6,16 +6,18 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/model/part_places.h"
 
-#include <cmath>
 #include <cstdint>
 
 namespace cambrian {
 
-struct PlacedBox {
-    double x, y;            // m
-    double axis_x, axis_y;  // unit, along the length
-    double half_length, half_width;
+// One box, or four of them.
+template <class Scalar>
+struct PlacedBoxes {
+    Scalar x, y;            // m
+    Scalar axis_x, axis_y;  // unit, along the length
+    Scalar half_length, half_width;
 };
+using PlacedBox = PlacedBoxes<double>;
 
 struct BoxManifold {
     bool first_is_incident = false;         // the points belong to the incident box
@@ -31,19 +33,44 @@ inline PlacedBox placed_box(const PartPlaces& places, int part) {
             places.axis_y[part], places.half_length[part], places.half_width[part]};
 }
 
-// Gaps between the projections of two boxes on both axes of one of them.
-struct AxisGaps {
-    double length, width;  // m
+// Returns four boxes, from `first` on.
+CAMBRIAN_INLINE PlacedBoxes<Simd4d> four_boxes(const PartPlaces& places, int first) {
+    return {load_lanes(places.x + first),           load_lanes(places.y + first),
+            load_lanes(places.axis_x + first),      load_lanes(places.axis_y + first),
+            load_lanes(places.half_length + first), load_lanes(places.half_width + first)};
+}
+
+// How two boxes lie to each other. One of the two may be four boxes, each beside the other.
+template <class Scalar>
+struct BoxRelation {
+    Scalar x, y;    // m, from the centre of the first to that of the second
+    Scalar along;   // share of one box's length that lies along the other's, 0 to 1
+    Scalar across;  // share that lies across
 };
 
-inline AxisGaps axis_gaps(const PlacedBox& own, const PlacedBox& other) {
-    const double along = std::fabs(own.axis_x * other.axis_x + own.axis_y * other.axis_y);
-    const double across = std::fabs(own.axis_x * other.axis_y - own.axis_y * other.axis_x);
-    const double x = other.x - own.x;
-    const double y = other.y - own.y;
-    return {std::fabs(own.axis_x * x + own.axis_y * y) - own.half_length -
+template <class First, class Second>
+CAMBRIAN_INLINE auto relation_of(const PlacedBoxes<First>& a, const PlacedBoxes<Second>& b) {
+    using Scalar = decltype(a.x * b.x);
+    return BoxRelation<Scalar>{b.x - a.x, b.y - a.y,
+                               magnitude(a.axis_x * b.axis_x + a.axis_y * b.axis_y),
+                               magnitude(a.axis_x * b.axis_y - a.axis_y * b.axis_x)};
+}
+
+// Gaps between the projections of two boxes on both axes of one of them, m.
+template <class Scalar>
+struct AxisGaps {
+    Scalar length, width;
+};
+
+// The relation is the same for either box.
+template <class Own, class Other, class Scalar>
+CAMBRIAN_INLINE AxisGaps<Scalar> axis_gaps(const PlacedBoxes<Own>& own,
+                                           const PlacedBoxes<Other>& other,
+                                           const BoxRelation<Scalar>& relation) {
+    const auto& [x, y, along, across] = relation;
+    return {magnitude(own.axis_x * x + own.axis_y * y) - own.half_length -
                 along * other.half_length - across * other.half_width,
-            std::fabs(own.axis_x * y - own.axis_y * x) - own.half_width -
+            magnitude(own.axis_x * y - own.axis_y * x) - own.half_width -
                 across * other.half_length - along * other.half_width};
 }
 

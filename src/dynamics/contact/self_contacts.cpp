@@ -32,33 +32,20 @@ CAMBRIAN_INLINE Simd4d squared_length(const Simd4dVector& vector) {
     return vector.x * vector.x + vector.y * vector.y;
 }
 
-CAMBRIAN_INLINE Simd4i is_beyond_margin(const Simd4d& length_gap, const Simd4d& width_gap) {
-    return greater(length_gap, width_gap) > kContactMargin;
+// Returns the lanes in which no axis separates the boxes by more than the margin. What is not a
+// number separates nothing.
+CAMBRIAN_INLINE unsigned unseparated_lanes(const AxisGaps<Simd4d>& gaps) {
+    return ~true_lanes(greater(gaps.length, gaps.width) > kContactMargin);
 }
 
-// Returns those of the lanes in which no axis of one of the two boxes separates them by more than
-// the margin. What is not a number separates nothing.
-CAMBRIAN_INLINE unsigned unseparated_lanes(const PartPlaces& places, const BoxAndFour& boxes,
-                                           int first, int second, unsigned lanes) {
-    const auto [x, y] = boxes.from_first;
-    const double own_x = places.axis_x[first];
-    const double own_y = places.axis_y[first];
-    const double own_length = places.half_length[first];
-    const double own_width = places.half_width[first];
-    const Simd4d axis_x = load_lanes(places.axis_x + second);
-    const Simd4d axis_y = load_lanes(places.axis_y + second);
-    const Simd4d length = load_lanes(places.half_length + second);
-    const Simd4d width = load_lanes(places.half_width + second);
-    const Simd4d along = magnitude(own_x * axis_x + own_y * axis_y);
-    const Simd4d across = magnitude(own_x * axis_y - own_y * axis_x);
-    lanes &= ~true_lanes(is_beyond_margin(
-        magnitude(own_x * x + own_y * y) - own_length - along * length - across * width,
-        magnitude(own_x * y - own_y * x) - own_width - across * length - along * width));
-    if (lanes == 0) return 0;
-    return lanes & ~true_lanes(is_beyond_margin(magnitude(axis_x * x + axis_y * y) - length -
-                                                    along * own_length - across * own_width,
-                                                magnitude(axis_x * y - axis_y * x) - width -
-                                                    across * own_length - along * own_width));
+// Returns those of the lanes in which no axis of either box separates the two.
+CAMBRIAN_INLINE unsigned touching_lanes(const PartPlaces& places, int first, int second,
+                                        unsigned lanes) {
+    const PlacedBox one = placed_box(places, first);
+    const PlacedBoxes<Simd4d> four = four_boxes(places, second);
+    const BoxRelation<Simd4d> relation = relation_of(one, four);
+    lanes &= unseparated_lanes(axis_gaps(one, four, relation));
+    return lanes == 0 ? 0 : lanes & unseparated_lanes(axis_gaps(four, one, relation));
 }
 
 void add_points(const PlanarModel& model, const Kinematics& k, const PartPlaces& places,
@@ -126,7 +113,7 @@ CAMBRIAN_INLINE bool PairList::has_expired(const PlanarModel& model,
     for (int part = 0; part < model.part_count; part += kLanes) {
         const Simd4d x = load_lanes(places.x + part) - places.x[0] - load_lanes(built_x_ + part);
         const Simd4d y = load_lanes(places.y + part) - places.y[0] - load_lanes(built_y_ + part);
-        farthest = greater(farthest, x * x + y * y);
+        farthest = greater(farthest, squared_length({x, y}));
     }
     return largest_of(farthest) > 0.25 * kSpare * kSpare;
 }
@@ -178,7 +165,7 @@ void PairList::detect(const PlanarModel& model, const Kinematics& kinematics,
         const unsigned far = true_lanes(squared_length(boxes.from_first) >= reach * reach);
         const unsigned near = group.near & ~far;
         if (near == 0) continue;
-        const unsigned touching = unseparated_lanes(places, boxes, group.first, group.second, near);
+        const unsigned touching = touching_lanes(places, group.first, group.second, near);
         if (touching != 0) add_contacts(model, kinematics, places, group, touching, contacts);
     }
 }

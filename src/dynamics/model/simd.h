@@ -4,6 +4,7 @@
 // use only the four exactly rounded operations and fixed orders of summation, so the bits do not
 // depend on the vector width of the processor (dynamics/README.md 19).
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -80,6 +81,9 @@ CAMBRIAN_INLINE Simd4d masked(const Simd4d& lanes, const Simd4i& mask) {
 CAMBRIAN_INLINE Simd4d magnitude(const Simd4d& lanes) {
     return masked(lanes, Simd4i{INT64_MAX, INT64_MAX, INT64_MAX, INT64_MAX});
 }
+inline double magnitude(double value) {
+    return std::fabs(value);
+}
 CAMBRIAN_INLINE Simd4d lesser(const Simd4d& a, const Simd4d& b) {
     return a < b ? a : b;
 }
@@ -94,11 +98,6 @@ CAMBRIAN_INLINE double largest_of(const Simd4d& lanes) {
     const double low = lanes[0] > lanes[1] ? lanes[0] : lanes[1];
     const double high = lanes[2] > lanes[3] ? lanes[2] : lanes[3];
     return low > high ? low : high;
-}
-
-// Returns the first lanes as bits; all if there are more.
-inline constexpr unsigned first_lanes(int count) {
-    return (1U << (count < kLanes ? count : kLanes)) - 1U;
 }
 
 // Returns the lanes in which a comparison is true, as bits.
