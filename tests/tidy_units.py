@@ -5,7 +5,8 @@
 Reads BUILD/compile_commands.json and writes BUILD/units: a source for each of about COUNT equally large
 parts of the program, which includes all sources of its part, and a
 compile_commands.json for these. Sources whose compiler options differ, apart from definitions and
-folders of headers, stay apart.
+folders of headers, stay apart; and so do those that include a header of which a check looks for many a
+function in all of the unit.
 """
 
 import json
@@ -16,6 +17,7 @@ import shlex
 import sys
 
 WITH_VALUE = {"-isystem", "-include"}
+SEARCHED = ("<CLI/CLI.hpp>",)  # by performance-unnecessary-value-param
 SHARED = ("-D", "-I", "-isystem")  # options that sources of one unit may have more of than others
 
 
@@ -33,16 +35,16 @@ def options_of(command):
     return options
 
 
-def lines_in(source):
-    """Counts the lines of a source and of the sources that it includes, if it is a list of such."""
+def text_of(source):
+    """Returns the text of a source and of the sources that it includes, if it is a list of such."""
     text = pathlib.Path(source).read_text(encoding="utf-8")
-    included = re.findall(r'#include "(/[^"]+\.cpp)"', text)
-    return text.count("\n") + sum(map(lines_in, included))
+    return text + "".join(map(text_of, re.findall(r'#include "(/[^"]+\.cpp)"', text)))
 
 
 class Unit:
-    def __init__(self, options):
-        self.kind = tuple(option for option in options if not option[0].startswith(SHARED))
+    def __init__(self, options, text):
+        self.kind = (*(option for option in options if not option[0].startswith(SHARED)),
+                     *(header for header in SEARCHED if header in text))
         self.options = []
         self.sources = []
         self.lines = 0
@@ -54,12 +56,13 @@ class Unit:
 
 
 def units_of(commands, count):
-    lines = {command["file"]: lines_in(command["file"]) for command in commands}
+    texts = {command["file"]: text_of(command["file"]) for command in commands}
+    lines = {source: text.count("\n") for source, text in texts.items()}
     most = sum(lines.values()) / count
     units = []
     for command in commands:
         source, options = command["file"], options_of(command)
-        new = Unit(options)
+        new = Unit(options, texts[source])
         fitting = [unit for unit in units
                    if unit.kind == new.kind and unit.lines + lines[source] / 2 < most]
         if not fitting:
