@@ -31,7 +31,7 @@ Result<Credentials> read_credentials(const std::string& file) {
         if (text->find(kKey) != std::string::npos) return Credentials{};
         return malformed(file, "a token without its key");
     }
-    const toml::parse_result document = toml::parse(*text);
+    const toml::parse_result document = parse_toml(*text);
     if (!document) {
         return malformed(
             file, fmt::format("something else in line {}", document.error().source().begin.line));

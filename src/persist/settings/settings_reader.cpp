@@ -135,7 +135,7 @@ Result<ExperimentSettings> parse_settings(std::string_view text, std::string_vie
 }
 
 SettingsUse use_of_settings(std::string_view text) {
-    const toml::parse_result document = toml::parse(text);
+    const toml::parse_result document = parse_toml(text);
     const bool preserve = document && document.table().contains(kPreserveTable);
     return preserve ? SettingsUse::kPreserve : SettingsUse::kExperiment;
 }
@@ -148,7 +148,7 @@ Result<ExperimentSettings> merge_settings(const std::vector<SettingsText>& texts
     bool has_ground = false;
     for (const auto& [text, source] : texts) {
         ErrorList errors;
-        toml::parse_result document = toml::parse(text);
+        toml::parse_result document = parse_toml(text);
         if (!document) {
             errors.error("", line_of(document.error().source()),
                          shown(document.error().description(), kLongestReason));

@@ -16,3 +16,12 @@
 #pragma pop_macro("TOML_UNREACHABLE")
 #include <toml++/toml.h>
 #pragma pop_macro("NDEBUG")
+
+#include <string_view>
+
+namespace cambrian {
+
+// Returns the table of a TOML document, or the first error and its place.
+toml::parse_result parse_toml(std::string_view text);
+
+}  // namespace cambrian
