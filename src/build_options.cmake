@@ -22,7 +22,8 @@ if(CAMBRIAN_SANITIZE)
     -fno-sanitize=object-size
     -g1  # lines of a report; more takes a third of the time to compile
     $<IF:$<BOOL:${fuzzing}>,-O2,-O1>)
-  target_link_options(cambrian_options INTERFACE -fsanitize=${CAMBRIAN_SANITIZE})
+  # lld links what sanitizers make so large four times as fast.
+  target_link_options(cambrian_options INTERFACE -fsanitize=${CAMBRIAN_SANITIZE} -fuse-ld=lld)
 endif()
 
 add_library(cambrian_warnings INTERFACE)
