@@ -40,12 +40,17 @@ target_compile_options(cambrian_warnings INTERFACE
 
 # cambrian_layer(<name> [WAITS] SOURCES <file>... [DEPENDS <layer or third_party target>...])
 # declares the library cambrian_<name>; includes are written from src/. A layer that WAITS for people,
-# files or other programs most of its time is compiled with less optimisation, in less time.
+# files or other programs most of its time is compiled with less optimisation, in less time. Of an inline
+# function that many objects hold the linker keeps the first. A program with the property
+# CAMBRIAN_LAYERS_FIRST, whose own objects are less optimised, links the layers before them.
 function(cambrian_layer name)
   cmake_parse_arguments(LAYER "WAITS" "" "SOURCES;DEPENDS" ${ARGN})
   add_library(cambrian_${name} STATIC ${LAYER_SOURCES})
   target_include_directories(cambrian_${name} PUBLIC ${CMAKE_SOURCE_DIR}/src)
   target_link_libraries(cambrian_${name} PUBLIC ${LAYER_DEPENDS} cambrian_options PRIVATE cambrian_warnings)
+  set(link_whole LINKER:--whole-archive,$<TARGET_FILE:cambrian_${name}>,--no-whole-archive)
+  target_link_options(cambrian_${name} INTERFACE
+    $<$<BOOL:$<TARGET_PROPERTY:CAMBRIAN_LAYERS_FIRST>>:${link_whole}>)
   if(LAYER_WAITS)
     target_compile_options(cambrian_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
