@@ -4,9 +4,9 @@
 
 Reads BUILD/compile_commands.json and writes BUILD/units: a source for each of about COUNT equally large
 parts of the program, which includes all sources of its part, and a
-compile_commands.json for these. Sources whose compiler options differ, apart from definitions and
-folders of headers, stay apart; and so do those that include a header of which a check looks for many a
-function in all of the unit.
+compile_commands.json for these. Sources share a unit only if their compiler options are the same, apart
+from definitions and folders of headers. Sources that include a header of SEARCHED have units of their
+own: for each function of such a header a check searches all of the unit.
 """
 
 import json
