@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
-"""Fails if a class of a layer has too many members or functions, or a folder too many files.
+"""Prints the largest classes, files and folders of a tree; nothing fails by its size.
 
-    check_class_sizes.py <folder> --files 20 [--members 15 --functions 20] [--larger Class ...] [--list]
+    print_sizes.py <folder> [--most 10]
 
 Members are a class's own data. Functions are those it declares itself, including constructors,
-operators and deleted ones. Friends, nested types and inherited members do not count. Without
---members and --functions only the folders are checked. Classes named with --larger may exceed the
-limits; a class that no longer does must not be named.
+operators and deleted ones. Friends, nested types and inherited members do not count.
 """
 import argparse
+import collections
 import pathlib
 import re
 import sys
@@ -129,43 +128,33 @@ private:
     figures = count(without_literals(body))
     # A pointer to a function counts as a function, since it is declared like one.
     if figures != (5, 7):
-        sys.exit(f'check_class_sizes.py miscounts: {figures}')
+        sys.exit(f'print_sizes.py miscounts: {figures}')
+
+
+def print_largest(title, rows, most):
+    print(title)
+    for figures, name in sorted(rows, reverse=True)[:most]:
+        print('  ' + ' '.join(f'{figure:5}' for figure in figures) + f'  {name}')
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument('folder', type=pathlib.Path)
-    parser.add_argument('--members', type=int, default=sys.maxsize)
-    parser.add_argument('--functions', type=int, default=sys.maxsize)
-    parser.add_argument('--files', type=int, required=True)
-    parser.add_argument('--larger', nargs='*', default=[], metavar='Class')
-    parser.add_argument('--list', action='store_true', help='the largest first, no check')
+    parser.add_argument('--most', type=int, default=10)
     options = parser.parse_args()
     check_counter()
     sources = sorted(p for p in options.folder.rglob('*') if p.suffix in ('.h', '.cpp'))
     if not sources:
         sys.exit(f'no sources under {options.folder}')
-    classes = [(*each, path.relative_to(options.folder)) for path in sources for each in classes_of(path)]
-    folders = {}
-    for path in sources:
-        folders.setdefault(path.parent.relative_to(options.folder), []).append(path)
-    if options.list:
-        for name, members, functions, path in sorted(classes, key=lambda c: -max(c[1], c[2]))[:30]:
-            print(f'{members:3} members {functions:3} functions  {name} ({path})')
-        for folder, files in sorted(folders.items()):
-            print(f'{len(files):3} files  {folder}')
-        return
-    too_large = [each for each in classes
-                 if each[1] > options.members or each[2] > options.functions]
-    faults = [f'{path}: {name} has {members} members and {functions} functions, at most '
-              f'{options.members} and {options.functions} are wanted'
-              for name, members, functions, path in too_large if name not in options.larger]
-    faults += [f'{name} is within the limits; take it off --larger'
-               for name in options.larger if name not in [each[0] for each in too_large]]
-    faults += [f'{folder}: {len(files)} files, at most {options.files} are wanted'
-               for folder, files in folders.items() if len(files) > options.files]
-    print('\n'.join(faults) or f'{len(classes)} classes and {len(folders)} folders checked')
-    sys.exit(1 if faults else 0)
+    relative = {path: path.relative_to(options.folder) for path in sources}
+    classes = [((functions, members), f'{name} ({relative[path]})')
+               for path in sources for name, members, functions in classes_of(path)]
+    files = [((len(path.read_text(encoding='utf-8').splitlines()),), relative[path]) for path in sources]
+    folders = collections.Counter(relative[path].parent for path in sources)
+    print_largest('functions and members of classes', classes, options.most)
+    print_largest('lines of files', files, options.most)
+    print_largest('files in folders', [((n,), folder) for folder, n in folders.items()], options.most)
+    print(f'{sum(lines for (lines,), _ in files)} lines in {len(files)} files')
 
 
 if __name__ == '__main__':
