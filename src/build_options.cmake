@@ -9,6 +9,23 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 target_compile_options(cambrian_options INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
 target_compile_definitions(cambrian_options INTERFACE EIGEN_DONT_VECTORIZE
   $<$<CONFIG:Debug>:CAMBRIAN_TICK_ASSERTS>)
+# Flags of the caller may neither reorder sums nor fuse. Where the processor they name has the instructions,
+# gcc makes fused pairs of a sum and a difference of products (vfmaddsub) whatever -ffp-contract says, so
+# it must not know them.
+include(CheckCXXSourceCompiles)
+string(TOUPPER "${CMAKE_BUILD_TYPE}" configuration)
+set(CMAKE_REQUIRED_FLAGS "${CMAKE_CXX_FLAGS_${configuration}}")
+check_cxx_source_compiles("#ifdef __FAST_MATH__\n#error\n#endif\nint main() {}" CAMBRIAN_MATHS_IS_EXACT)
+if(NOT CAMBRIAN_MATHS_IS_EXACT)
+  message(FATAL_ERROR "With CMAKE_CXX_FLAGS, here \"${CMAKE_CXX_FLAGS}\", or those of the configuration, results "
+    "would depend on the machine. Leave out -ffast-math and -Ofast.")
+endif()
+check_cxx_source_compiles("#if defined __FMA__ || defined __FMA4__ || defined __AVX512F__\n#error\n#endif\nint main() {}"
+  CAMBRIAN_FUSES_NOTHING)
+if(NOT CAMBRIAN_FUSES_NOTHING)
+  target_compile_options(cambrian_options INTERFACE -mno-fma -mno-fma4 -mno-avx512f)
+endif()
+unset(CMAKE_REQUIRED_FLAGS)
 # gcc spends a tenth of its time on collecting garbage unless it may fill a gigabyte (in kB) first.
 target_compile_options(cambrian_options INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1000000>)
