@@ -111,10 +111,13 @@ std::size_t fill_boxes(std::span<const Shape> shapes, const Camera& camera,
 Result<std::unique_ptr<Renderer>> Renderer::create() {
     Result<Shader> shader = Shader::compile(kVertexSource, kFragmentSource);
     if (!shader) return shader.error();
-    return std::unique_ptr<Renderer>(new Renderer(std::move(*shader)));
+    Result<SkinPainter> skin_painter = SkinPainter::create();
+    if (!skin_painter) return skin_painter.error();
+    return std::unique_ptr<Renderer>(new Renderer(std::move(*shader), std::move(*skin_painter)));
 }
 
-Renderer::Renderer(Shader shader) : shader_(std::move(shader)) {
+Renderer::Renderer(Shader shader, SkinPainter skin_painter)
+    : shader_(std::move(shader)), skin_painter_(std::move(skin_painter)) {
     scale_uniform_ = shader_.uniform("scale");
     pixel_uniform_ = shader_.uniform("pixel");
 }
@@ -129,22 +132,35 @@ void Renderer::collect(std::span<const Shape> shapes, const Camera& camera,
     }
 }
 
-void Renderer::draw(const SceneFrame& frame, const Camera& camera, const PixelRect& target) {
-    const Viewport viewport{static_cast<double>(target.width), static_cast<double>(target.height)};
-    glViewport(target.x, target.y, target.width, target.height);
-    fill(target, frame.background);
-    const std::span<const Shape> shapes = frame.shapes;
-    collect(shapes.subspan(fill_boxes(shapes, camera, target)), camera, viewport);
-    glScissor(target.x, target.y, target.width, target.height);
+void Renderer::draw_shapes(std::span<const Shape> shapes, const Camera& camera,
+                           const Viewport& viewport) {
+    collect(shapes, camera, viewport);
     if (instances_.empty()) return;
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     shader_.use();
     glUniform2f(scale_uniform_, static_cast<float>(2.0 * camera.pixels_per_metre / viewport.width),
                 static_cast<float>(2.0 * camera.pixels_per_metre / viewport.height));
     glUniform1f(pixel_uniform_, static_cast<float>(camera.pixel()));
     buffer_.fill(instances_);
     buffer_.draw();
+}
+
+void Renderer::draw(const SceneFrame& frame, const Camera& camera, const PixelRect& target) {
+    const Viewport viewport{static_cast<double>(target.width), static_cast<double>(target.height)};
+    glViewport(target.x, target.y, target.width, target.height);
+    fill(target, frame.background);
+    const std::span<const Shape> shapes = frame.shapes;
+    const std::size_t lowest =
+        frame.skins.empty() ? shapes.size() : frame.skins.front().shapes_below;
+    std::size_t drawn = fill_boxes(shapes.first(lowest), camera, target);
+    glScissor(target.x, target.y, target.width, target.height);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    for (const Skin& skin : frame.skins) {
+        draw_shapes(shapes.subspan(drawn, skin.shapes_below - drawn), camera, viewport);
+        drawn = skin.shapes_below;
+        skin_painter_.draw(frame, skin, camera, target);
+    }
+    draw_shapes(shapes.subspan(drawn), camera, viewport);
 }
 
 }  // namespace cambrian

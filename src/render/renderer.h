@@ -8,6 +8,7 @@
 #include "render/opengl/vertex_buffer.h"
 #include "render/pixel_rect.h"
 #include "render/scene_frame.h"
+#include "render/skin_painter.h"
 
 #include <memory>
 #include <span>
@@ -25,10 +26,12 @@ public:
     void draw(const SceneFrame& frame, const Camera& camera, const PixelRect& target);
 
 private:
-    explicit Renderer(Shader shader);
+    Renderer(Shader shader, SkinPainter skin_painter);
     void collect(std::span<const Shape> shapes, const Camera& camera, const Viewport& viewport);
+    void draw_shapes(std::span<const Shape> shapes, const Camera& camera, const Viewport& viewport);
 
     Shader shader_;
+    SkinPainter skin_painter_;
     VertexBuffer buffer_;
     std::vector<ShapeInstance> instances_;
     int scale_uniform_ = -1;

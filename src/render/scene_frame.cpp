@@ -56,4 +56,17 @@ void SceneFrame::add_trail(std::span<const Vec2> points, double dot_radius, cons
     }
 }
 
+void SceneFrame::add_skin(Skin skin) {
+    skin.shapes_below = shapes.size();
+    skin.first_box = skin_boxes.size() - skin.boxes;
+    skins.push_back(skin);
+}
+
+void SceneFrame::clear() {
+    shapes.clear();
+    skins.clear();
+    skin_boxes.clear();
+    light = {};
+}
+
 }  // namespace cambrian

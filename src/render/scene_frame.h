@@ -1,10 +1,11 @@
 #pragma once
 
-// The shapes to draw in a frame. All are rounded boxes: a circle is a box whose corner radius is
-// its half extent, a line a thin box. World units are metres, y up.
+// What to draw in a frame: shapes and skins. All shapes are rounded boxes: a circle is a box whose
+// corner radius is its half extent, a line a thin box. World units are metres, y up.
 
 #include "math/types.h"
 #include "render/color.h"
+#include "render/skin.h"
 
 #include <array>
 #include <span>
@@ -25,7 +26,10 @@ struct Shape {
 
 struct SceneFrame {
     Color background;
-    std::vector<Shape> shapes;  // from back to front
+    std::vector<Shape> shapes;        // from back to front
+    std::vector<Skin> skins;          // the same; each says how many shapes are behind it
+    std::vector<SkinBox> skin_boxes;  // of all skins
+    SkinLight light;
 
     void add_box(const Vec2& center, const Vec2& half_extents, const Color& fill);
     void add_line(const Vec2& from, const Vec2& to, double width, const Color& color);
@@ -36,7 +40,9 @@ struct SceneFrame {
                  double width, const Color& color);
     // Adds dots along a path, older ones fainter; the oldest point is first.
     void add_trail(std::span<const Vec2> points, double dot_radius, const Color& color);
-    void clear() { shapes.clear(); }
+    // Adds a skin over the boxes that were added last; its number of boxes is given by it.
+    void add_skin(Skin skin);
+    void clear();
 };
 
 }  // namespace cambrian
