@@ -159,8 +159,7 @@ Result<std::uint64_t> Preserve::erase_wall(const Vec3& place) {
 // Adds a creature at a place, which the light pays. Returns its number.
 Result<std::uint64_t> Preserve::admit(const GenomePtr& genome, const Vec3& place) {
     if (!genome) return Error{"a creature to add has no genotype"};
-    Life life{
-        .number = next_number_, .method = "added", .genome = PackedGenome(*genome), .born = tick_};
+    Life life{.number = next_number_, .method = "added", .genome = genome, .born = tick_};
     life.uid = newcomer_uid();
     auto grown = Resident::grow(std::move(life), kinds_.creature, *settings_, senses_);
     if (!grown)

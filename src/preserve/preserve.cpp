@@ -163,10 +163,7 @@ std::uint64_t Preserve::newcomer_uid() const {
 // Returns a copy of one of the founders at a random place, not yet paid.
 Result<std::unique_ptr<Resident>> Preserve::newcomer(std::size_t place, std::string method) {
     const GenomePtr& genome = founders_[place % founders_.size()];
-    Life life{.number = next_number_,
-              .method = std::move(method),
-              .genome = PackedGenome(*genome),
-              .born = tick_};
+    Life life{.number = next_number_, .method = std::move(method), .genome = genome, .born = tick_};
     life.uid = newcomer_uid();
     const std::size_t which = place % founders_.size() + 1;
     auto grown = Resident::grow(std::move(life), kinds_.creature, *settings_, senses_);
@@ -247,8 +244,7 @@ void Preserve::join_lineage(Resident& resident, const Resident* parent) {
     Life& life = resident.life;
     life.lineage = parent == nullptr ? life.number : parent->life.lineage;
     if (parent != nullptr &&
-        differing_body_genes(*life.genome.unpack(), *lineages_.at(life.lineage).unpack()) >
-            kGenesOfALineage)
+        differing_body_genes(*life.genome, *lineages_.at(life.lineage)) > kGenesOfALineage)
         life.lineage = life.number;
     lineages_.try_emplace(life.lineage, life.genome);
 }
@@ -554,8 +550,8 @@ void Preserve::bear(Resident& parent, std::unique_ptr<Resident> child, RandomStr
 // Takes the founder of a lineage into the museum when it becomes a large one.
 void Preserve::remember_lineage(std::uint64_t lineage) {
     if (living_members(residents_, lineage) != kMembersForMuseum) return;
-    chronicle_.museum.push_back({lineage, tick_, museum_reason::kLineage, kMembersForMuseum,
-                                 lineages_.at(lineage).unpack()});
+    chronicle_.museum.push_back(
+        {lineage, tick_, museum_reason::kLineage, kMembersForMuseum, lineages_.at(lineage)});
 }
 
 void Preserve::remember_parent() {

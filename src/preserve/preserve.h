@@ -140,7 +140,7 @@ private:
     Pellets plants_, flesh_;
     Energy ambient_ = 0;
     Residents residents_;
-    std::map<std::uint64_t, PackedGenome> lineages_;  // founders by number
+    std::map<std::uint64_t, GenomePtr> lineages_;  // founders by number
     std::uint64_t tick_ = 0;
     std::uint64_t next_number_ = 1;
     std::uint64_t attempts_ = 0;

@@ -18,7 +18,7 @@ namespace cambrian {
 
 struct Lineage {
     std::uint64_t number = 0;  // of its founder
-    PackedGenome genome;       // the founder's
+    GenomePtr genome;          // the founder's
 };
 
 struct PreserveState {
@@ -40,7 +40,7 @@ std::uint64_t digest_of(std::span<const std::uint64_t> words);
 
 // The part of a life that words leave out.
 struct Origin {
-    PackedGenome genome;
+    GenomePtr genome;
     std::string method;
 };
 using FindOrigin = std::function<Result<Origin>(std::uint64_t number)>;

@@ -143,7 +143,7 @@ void read_words(Workplace& at, ByteSource bytes) {
     }
     const auto state = state_of(words, [&](std::uint64_t number) -> Result<Origin> {
         if (number == 0) return Error{"creature 0 is missing"};
-        return Origin{PackedGenome(*at.saved.origin.founders.front()), "founder"};
+        return Origin{at.saved.origin.founders.front(), "founder"};
     });
     if (state) go_on(at.saved.origin, *state, at.saved.origin.settings, at.pool);
 }

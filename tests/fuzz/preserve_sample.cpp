@@ -65,8 +65,7 @@ void write_preserve(const std::filesystem::path& path) {
     chronicle.museum.push_back({1, 1, museum_reason::kLineage, kMembersForMuseum});
     // A child, whose genotype is kept as a difference.
     const std::uint64_t child = 99;
-    chronicle.born.push_back(
-        {.number = child, .parents = {1, 0}, .genome = PackedGenome(*founders.front())});
+    chronicle.born.push_back({.number = child, .parents = {1, 0}, .genome = founders.front()});
     chronicle.museum.push_back({child, 1, museum_reason::kChildren, 1});
     promise((*file)->write(chronicle, **preserve).has_value(), "a snapshot can be kept");
 }

@@ -34,7 +34,7 @@ struct Meeting {
     explicit Meeting(double diet)
         : senses({20.0, 20.0}, settings.world.environment), flesh({20.0, 20.0}) {
         for (auto* each : {&biter, &victim}) {
-            Life life{.number = each == &biter ? 1U : 2U, .genome = PackedGenome(*eater(diet))};
+            Life life{.number = each == &biter ? 1U : 2U, .genome = eater(diet)};
             auto grown = Resident::grow(std::move(life), creature_kinds(), settings, senses);
             REQUIRE(grown);
             *each = std::move(*grown);

@@ -37,9 +37,8 @@ void write_line(const std::filesystem::path& path, const std::vector<GenomePtr>&
         Chronicle chronicle;
         for (std::size_t i = begin; i < begin + kGenerations / 2; ++i) {
             const std::uint64_t number = kFirst + i;
-            chronicle.born.push_back({.number = number,
-                                      .parents = {i == 0 ? 0 : number - 1, 0},
-                                      .genome = PackedGenome(*line[i])});
+            chronicle.born.push_back(
+                {.number = number, .parents = {i == 0 ? 0 : number - 1, 0}, .genome = line[i]});
         }
         REQUIRE(world.file->write(chronicle, *world.preserve));
     }
@@ -112,8 +111,7 @@ TEST_CASE("a child of a creature whose genotype is damaged is written by itself"
     const std::vector<GenomePtr> line = line_of_descent();
     const auto write = [&](std::uint64_t number, const GenomePtr& genome) {
         Chronicle chronicle;
-        chronicle.born.push_back(
-            {.number = number, .parents = {number - 1, 0}, .genome = PackedGenome(*genome)});
+        chronicle.born.push_back({.number = number, .parents = {number - 1, 0}, .genome = genome});
         REQUIRE(world.file->write(chronicle, *world.preserve));
     };
     write(kFirst, line[0]);
@@ -129,8 +127,7 @@ TEST_CASE("a file's log can be emptied after each minute", "[preserve][genotypes
     const auto path = folder.path() / "pond.cambrian";
     const KeptWorld world = kept_in(path, small_world());
     Chronicle chronicle;
-    chronicle.born.push_back(
-        {.number = kFirst, .parents = {1, 0}, .genome = PackedGenome(*eater(0.5))});
+    chronicle.born.push_back({.number = kFirst, .parents = {1, 0}, .genome = eater(0.5)});
     REQUIRE(world.file->write(chronicle, *world.preserve));
     const Database other(path, Database::Access::kWrite);
     CHECK(other.integer("PRAGMA wal_checkpoint(TRUNCATE)") == 0);  // nobody reads it
@@ -175,8 +172,7 @@ TEST_CASE("a file of version 5, which has no differences, is brought to the pres
     const auto opened = PreserveFile::open(path, kinds());
     REQUIRE(opened);
     Chronicle chronicle;
-    chronicle.born.push_back(
-        {.number = 50, .parents = {1, 0}, .genome = PackedGenome(*eater(0.25))});
+    chronicle.born.push_back({.number = 50, .parents = {1, 0}, .genome = eater(0.25)});
     REQUIRE(opened->file->write(chronicle, *world.preserve));
     const Database database(path, Database::Access::kRead);
     CHECK(database.integer("PRAGMA user_version") == 6);

@@ -181,7 +181,7 @@ Result<PreserveState> read_snapshot(const Database& database, const SnapshotEntr
         if (!genome) return genome.error();
         method.bind(number);
         if (!method.step()) return Error{fmt::format("creature {} is missing", number)};
-        return Origin{PackedGenome(**genome), std::string(method.text(0).substr(0, 64))};
+        return Origin{*genome, std::string(method.text(0).substr(0, 64))};
     });
     if (state && state->tick != entry.tick) return Error{"the snapshot is of another time"};
     return state;

@@ -144,7 +144,7 @@ void PreserveWriter::put_founder(std::size_t number, const GenomePtr& genome) {
 
 // Writes the difference from the first parent's genotype, if that can be read.
 void PreserveWriter::put_genotype(const Life& life) {
-    const Individual individual = individual_of(life.genome.unpack());
+    const Individual individual = individual_of(life.genome);
     std::uint64_t base = life.parents[0];
     const Result<KeptText> kept = genotypes_.text(base);
     if (!kept || kept->differences == kMostDifferences) base = 0;

@@ -2,7 +2,7 @@
 
 // The record of one life.
 
-#include "genome/packed_genome.h"
+#include "genome/genome.h"
 #include "preserve/world/energy.h"
 
 #include <array>
@@ -24,7 +24,7 @@ struct Life {
     std::uint64_t lineage = 0;                      // number of its founder
     std::string method = {};  // breeding method, "founder", "restock" or "added"
     std::uint32_t mutations = 0;
-    PackedGenome genome = {};
+    GenomePtr genome = {};
     std::uint64_t born = 0;  // tick
     std::uint64_t died = 0;  // tick; 0 while it lives
     DeathCause cause = DeathCause::kAlive;

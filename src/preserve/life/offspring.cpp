@@ -60,7 +60,7 @@ Life conceive(const Resident& parent, const Residents& all, const ExperimentSett
             .parents = {parent.life.number, mate == nullptr ? 0 : mate->life.number},
             .method = child->method,
             .mutations = static_cast<std::uint32_t>(child->mutations.size()),
-            .genome = PackedGenome(*child->genome),
+            .genome = child->genome,
             .born = tick};
 }
 

@@ -20,7 +20,7 @@ Result<std::unique_ptr<Resident>> Resident::grow(Life begun, const Kinds& kinds,
                                                  const ExperimentSettings& settings,
                                                  const CommonSenses& senses) {
     const Phenotype grown =
-        express(*begun.genome.unpack(), kinds, settings.expression, settings.world.scene);
+        express(*begun.genome, kinds, settings.expression, settings.world.scene);
     auto phenotype = std::make_unique<const Phenotype>(grown);  // a copy has no spare capacity
     auto scene = scene_of(*phenotype, kinds, settings);
     if (!scene) return scene.error();

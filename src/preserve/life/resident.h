@@ -77,7 +77,7 @@ public:
     const Emissions& emissions() const { return creature_->emissions(); }
     std::span<const Mouth> mouths() const { return mouths_; }
     const Phenotype& phenotype() const { return *phenotype_; }
-    GenomePtr genome() const { return life.genome.unpack(); }
+    const GenomePtr& genome() const { return life.genome; }
     double age(std::uint64_t tick) const;  // s
     void feel(double energy) { senses_.set_energy(energy); }
 

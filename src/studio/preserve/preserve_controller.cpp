@@ -392,8 +392,7 @@ bool PreserveController::show_alone(WorldSubject subject) {
         return show(piece.number, piece.genome, piece.reason);
     }
     const ResidentPicture* picked = open_->picked();
-    return picked != nullptr &&
-           show(picked->life.number, picked->life.genome.unpack(), picked->life.method);
+    return picked != nullptr && show(picked->life.number, picked->life.genome, picked->life.method);
 }
 
 void PreserveController::move_to(const std::filesystem::path& path) {
