@@ -1,5 +1,6 @@
 #include "render/picture_stamp.h"
 
+#include "render/filled_rect.h"
 #include "render/opengl/gl.h"
 
 #include <cstdint>
@@ -25,11 +26,9 @@ std::array<unsigned char, 3> corner() {
 }
 
 void paint_corner(const std::array<unsigned char, 3>& pixel) {
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(0, 0, 1, 1);
-    glClearColor(static_cast<float>(pixel[0]) / 255.0F, static_cast<float>(pixel[1]) / 255.0F,
-                 static_cast<float>(pixel[2]) / 255.0F, 1.0F);
-    glClear(GL_COLOR_BUFFER_BIT);
+    fill_rect({0, 0, 1, 1},
+              {static_cast<float>(pixel[0]) / 255.0F, static_cast<float>(pixel[1]) / 255.0F,
+               static_cast<float>(pixel[2]) / 255.0F});
 }
 
 }  // namespace

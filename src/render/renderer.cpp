@@ -4,6 +4,7 @@
 
 #include "render/renderer.h"
 
+#include "render/filled_rect.h"
 #include "render/opengl/gl.h"
 
 #include <cmath>
@@ -86,13 +87,6 @@ ShapeInstance instance_of(const Shape& shape, const Camera& camera) {
     return instance;
 }
 
-void fill(const PixelRect& pixels, const Color& color) {
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(pixels.x, pixels.y, pixels.width, pixels.height);
-    glClearColor(color.r, color.g, color.b, 1.0F);
-    glClear(GL_COLOR_BUFFER_BIT);
-}
-
 // Fills the boxes with which a frame begins and returns their number. Ground and grid are most of
 // what is painted, and software renderers fill rectangles many times faster than they run a shader.
 std::size_t fill_boxes(std::span<const Shape> shapes, const Camera& camera,
@@ -101,7 +95,7 @@ std::size_t fill_boxes(std::span<const Shape> shapes, const Camera& camera,
     for (; count < shapes.size(); ++count) {
         const auto pixels = pixels_of_box(shapes[count], camera, target);
         if (!pixels) break;
-        if (pixels->width > 0 && pixels->height > 0) fill(*pixels, shapes[count].fill);
+        fill_rect(*pixels, shapes[count].fill);
     }
     return count;
 }
@@ -113,11 +107,16 @@ Result<std::unique_ptr<Renderer>> Renderer::create() {
     if (!shader) return shader.error();
     Result<SkinPainter> skin_painter = SkinPainter::create();
     if (!skin_painter) return skin_painter.error();
-    return std::unique_ptr<Renderer>(new Renderer(std::move(*shader), std::move(*skin_painter)));
+    Result<BackdropPainter> backdrop_painter = BackdropPainter::create();
+    if (!backdrop_painter) return backdrop_painter.error();
+    return std::unique_ptr<Renderer>(
+        new Renderer(std::move(*shader), std::move(*skin_painter), std::move(*backdrop_painter)));
 }
 
-Renderer::Renderer(Shader shader, SkinPainter skin_painter)
-    : shader_(std::move(shader)), skin_painter_(std::move(skin_painter)) {
+Renderer::Renderer(Shader shader, SkinPainter skin_painter, BackdropPainter backdrop_painter)
+    : shader_(std::move(shader)),
+      skin_painter_(std::move(skin_painter)),
+      backdrop_painter_(std::move(backdrop_painter)) {
     scale_uniform_ = shader_.uniform("scale");
     pixel_uniform_ = shader_.uniform("pixel");
 }
@@ -147,7 +146,10 @@ void Renderer::draw_shapes(std::span<const Shape> shapes, const Camera& camera,
 void Renderer::draw(const SceneFrame& frame, const Camera& camera, const PixelRect& target) {
     const Viewport viewport{static_cast<double>(target.width), static_cast<double>(target.height)};
     glViewport(target.x, target.y, target.width, target.height);
-    fill(target, frame.background);
+    if (frame.backdrop.recipe != nullptr)
+        backdrop_painter_.draw(frame.backdrop, camera, target);
+    else
+        fill_rect(target, frame.background);
     const std::span<const Shape> shapes = frame.shapes;
     const std::size_t lowest =
         frame.skins.empty() ? shapes.size() : frame.skins.front().shapes_below;

@@ -3,6 +3,7 @@
 // Draws scene frames with OpenGL. Edges are anti-aliased by distance in the fragment shader, so no
 // multisampling is needed and the software renderer stays fast.
 
+#include "render/backdrop_painter.h"
 #include "render/camera.h"
 #include "render/opengl/shader.h"
 #include "render/opengl/vertex_buffer.h"
@@ -26,12 +27,13 @@ public:
     void draw(const SceneFrame& frame, const Camera& camera, const PixelRect& target);
 
 private:
-    Renderer(Shader shader, SkinPainter skin_painter);
+    Renderer(Shader shader, SkinPainter skin_painter, BackdropPainter backdrop_painter);
     void collect(std::span<const Shape> shapes, const Camera& camera, const Viewport& viewport);
     void draw_shapes(std::span<const Shape> shapes, const Camera& camera, const Viewport& viewport);
 
     Shader shader_;
     SkinPainter skin_painter_;
+    BackdropPainter backdrop_painter_;
     VertexBuffer buffer_;
     std::vector<ShapeInstance> instances_;
     int scale_uniform_ = -1;

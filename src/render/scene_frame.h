@@ -4,6 +4,7 @@
 // corner radius is its half extent, a line a thin box. World units are metres, y up.
 
 #include "math/types.h"
+#include "render/backdrop.h"
 #include "render/color.h"
 #include "render/skin.h"
 
@@ -26,6 +27,7 @@ struct Shape {
 
 struct SceneFrame {
     Color background;
+    Backdrop backdrop;                // covers the background if it has a recipe
     std::vector<Shape> shapes;        // from back to front
     std::vector<Skin> skins;          // the same; each says how many shapes are behind it
     std::vector<SkinBox> skin_boxes;  // of all skins

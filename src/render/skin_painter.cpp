@@ -16,7 +16,7 @@
 namespace cambrian {
 namespace {
 
-constexpr const char* kVertexSource = R"(#version 330 core
+constexpr const char* kSkinVertexSource = R"(#version 330 core
 layout(location = 0) in vec2 corner;  // px
 uniform vec2 size;                    // px, of the target
 void main() {
@@ -25,7 +25,7 @@ void main() {
 )";
 
 // After a line that defines COUNT.
-constexpr const char* kFragmentSource = R"(
+constexpr const char* kSkinFragmentSource = R"(
 uniform vec2 origin;         // px, the target's corner
 uniform vec4 place[COUNT];   // px: centre; cosine, sine
 uniform vec4 extent[COUNT];  // px: half extents; phase, smaller half extent
@@ -203,8 +203,8 @@ Result<SkinPainter> SkinPainter::create() {
     std::vector<Program> programs;
     for (std::size_t count = 1; count <= kTileBoxes; ++count) {
         const std::string source =
-            "#version 330 core\n#define COUNT " + std::to_string(count) + kFragmentSource;
-        Result<Shader> shader = Shader::compile(kVertexSource, source.c_str());
+            "#version 330 core\n#define COUNT " + std::to_string(count) + kSkinFragmentSource;
+        Result<Shader> shader = Shader::compile(kSkinVertexSource, source.c_str());
         if (!shader) return shader.error();
         programs.emplace_back(std::move(*shader));
     }

@@ -1,0 +1,41 @@
+#pragma once
+
+// The scenery behind a frame, as a recipe: a sky, three chains of hills or clouds before it, and
+// the ground below y = 0, cut open. Everything in it follows from the recipe and the size of the
+// view.
+
+#include "math/types.h"
+#include "render/color.h"
+
+#include <array>
+
+namespace cambrian {
+
+enum class HeavenlyBody : unsigned char { kNone, kSun, kCrescent, kEarth };
+enum class RidgeForm : unsigned char { kHills, kDunes, kBergs, kClouds, kSeabed };
+enum class SoilForm : unsigned char { kTurf, kRegolith, kIce, kSand };
+
+struct BackdropRecipe {
+    std::array<Color, 3> sky;  // at the horizon, half way up, above
+    HeavenlyBody body = HeavenlyBody::kNone;
+    Color body_color = {};
+    Vec2 body_place = Vec2(0.8, 0.74);  // shares of the view's width and height, y up
+    double body_radius = 0.06;          // share of the view's height
+    float stars = 0.0F;                 // share of the possible ones, 0 to 1
+    float clouds = 0.0F;                // opacity, 0 to 1
+    float shafts = 0.0F;                // strength of light that falls into water, 0 to 1
+    RidgeForm form = RidgeForm::kHills;
+    std::array<std::array<Color, 2>, 3> ridges;  // far to near: crest and foot
+    bool has_ground = true;
+    SoilForm soil = SoilForm::kTurf;
+    std::array<Color, 4> ground;  // cover, soil below it, deep soil, stones
+};
+
+// What a frame shows of a backdrop. The recipe is compared by address, so it must stay where it is
+// while frames name it.
+struct Backdrop {
+    const BackdropRecipe* recipe = nullptr;  // null: the frame has a plain background
+    double drift = 0.0;                      // pixels by which the sky has moved to the left
+};
+
+}  // namespace cambrian

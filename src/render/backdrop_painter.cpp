@@ -1,0 +1,339 @@
+#include "render/backdrop_painter.h"
+
+#include "render/backdrop_shaders.h"
+#include "render/filled_rect.h"
+#include "render/opengl/gl.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kMostSceneries = 3;
+constexpr int kWidthStep = 256;  // px; views of nearly the same size share a scenery
+constexpr int kHeightStep = 128;
+constexpr int kLeastWidth = 1024;   // px, of a far picture, so that it does not repeat soon
+constexpr double kFarSpeed = 0.10;  // of far hills, as a share of the ground's
+constexpr int kTileWidth = 1024;    // texels of a tile of ground
+constexpr int kTileHeight = 512;
+constexpr double kTileMetres = 4.0;  // width of a tile, or this times a power of two
+
+int rounded_up(int value, int step) {
+    return (value + step - 1) / step * step;
+}
+
+int horizon_of(int height) {
+    return height * 26 / 100;
+}
+
+// Returns the width in metres of a tile whose texels are nearest to a pixel.
+double tile_metres(double pixels_per_metre) {
+    double metres = kTileMetres;
+    while (metres * pixels_per_metre > 1.45 * kTileWidth)
+        metres *= 0.5;
+    while (metres * pixels_per_metre < 0.7 * kTileWidth)
+        metres *= 2.0;
+    return metres;
+}
+
+// Returns the remainder in 0 .. period - 1.
+int wrapped(double value, int period) {
+    const double rest = std::fmod(std::floor(value), period);
+    return static_cast<int>(rest < 0.0 ? rest + period : rest);
+}
+
+// Returns the height in pixels of y = 0 above the lower edge of the view.
+int surface_of(const Camera& camera, const PixelRect& target) {
+    const double most = 4.0 * target.height;
+    const double at = 0.5 * target.height - camera.center.y() * camera.pixels_per_metre;
+    return static_cast<int>(std::round(std::clamp(at, -most, most)));
+}
+
+void give_color(const Shader& shader, const char* name, const Color& color) {
+    glUniform3f(shader.uniform(name), color.r, color.g, color.b);
+}
+
+void give_size(const Shader& shader, const PaintedTexture& texture) {
+    shader.use();
+    glUniform2f(shader.uniform("size"), static_cast<float>(texture.width()),
+                static_cast<float>(texture.height()));
+}
+
+void give(const Shader& shader, const char* name, double a, double b, double c) {
+    glUniform3f(shader.uniform(name), static_cast<float>(a), static_cast<float>(b),
+                static_cast<float>(c));
+}
+
+// Copies a rectangle of the bound source; x and y are where it comes from.
+void copy(int x, int y, const PixelRect& to) {
+    if (to.width <= 0 || to.height <= 0) return;
+    glBlitFramebuffer(x, y, x + to.width, y + to.height, to.x, to.y, to.x + to.width,
+                      to.y + to.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+// Copies a source that repeats after `period` pixels to a strip, from `from` on.
+void copy_repeated(int from, int period, int y, const PixelRect& strip) {
+    for (int done = 0; done < strip.width;) {
+        const int count = std::min(strip.width - done, period - from);
+        copy(from, y, {strip.x + done, strip.y, count, strip.height});
+        done += count;
+        from = 0;
+    }
+}
+
+// The bound framebuffers, bound again at the end.
+class KeptFramebuffers {
+public:
+    KeptFramebuffers() {
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_);
+        glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
+    }
+    ~KeptFramebuffers() {
+        bind_to_draw();
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_));
+    }
+    KeptFramebuffers(const KeptFramebuffers&) = delete;
+    KeptFramebuffers& operator=(const KeptFramebuffers&) = delete;
+    void bind_to_draw() const {
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(draw_));
+    }
+
+private:
+    GLint draw_ = 0;
+    GLint read_ = 0;
+};
+
+Result<Shader> compile(const char* source) {
+    const std::string whole = std::string(backdrop::kNoiseSource) + source;
+    return Shader::compile(backdrop::kVertexSource, whole.c_str());
+}
+
+// How rough a chain is, by its form and nearness.
+double roughness(RidgeForm form, std::size_t chain) {
+    switch (form) {
+        case RidgeForm::kSeabed:
+            return 0.10;
+        case RidgeForm::kBergs:
+            return 0.03;
+        default:
+            return 0.025 + 0.012 * static_cast<double>(chain);
+    }
+}
+
+}  // namespace
+
+Result<BackdropPainter> BackdropPainter::create() {
+    std::vector<Shader> shaders;
+    for (const char* source :
+         {backdrop::kSkySource, backdrop::kFinishSource, backdrop::kRidgeSource,
+          backdrop::kSoilSource, backdrop::kScaleSource}) {
+        Result<Shader> shader = compile(source);
+        if (!shader) return shader.error();
+        shaders.push_back(std::move(*shader));
+    }
+    return BackdropPainter(std::move(shaders));
+}
+
+BackdropPainter::BackdropPainter(std::vector<Shader> shaders) : shaders_(std::move(shaders)) {}
+
+void BackdropPainter::cover(const PixelRect& part) {
+    const auto left = static_cast<float>(part.x);
+    const auto low = static_cast<float>(part.y);
+    const auto right = static_cast<float>(part.x + part.width);
+    const auto high = static_cast<float>(part.y + part.height);
+    const std::array<float, RectangleBuffer::kFloats> corners = {
+        left, low, right, low, left, high, left, high, right, low, right, high};
+    rectangle_.fill(corners);
+    rectangle_.draw(0, 1);
+}
+
+BackdropPainter::Scenery& BackdropPainter::scenery_for(const BackdropRecipe& recipe,
+                                                       const PixelRect& target) {
+    const int width = std::max(kLeastWidth, rounded_up(target.width, kWidthStep));
+    const int height = rounded_up(target.height, kHeightStep);
+    const auto found = std::find_if(sceneries_.begin(), sceneries_.end(), [&](const Scenery& each) {
+        return each.recipe == &recipe && each.width == width && each.height == height;
+    });
+    if (found != sceneries_.end()) {
+        std::rotate(found, found + 1, sceneries_.end());
+        return sceneries_.back();
+    }
+    if (sceneries_.size() == kMostSceneries) sceneries_.erase(sceneries_.begin());
+    Scenery& scenery = sceneries_.emplace_back(Scenery{&recipe, width, height, {}, {}, {}, 0.0});
+    const KeptFramebuffers kept;
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    paint_far(scenery);
+    if (recipe.has_ground) paint_tile(scenery);
+    glEnable(GL_BLEND);
+    glEnable(GL_SCISSOR_TEST);
+    return scenery;
+}
+
+void BackdropPainter::paint_far(Scenery& scenery) {
+    const BackdropRecipe& recipe = *scenery.recipe;
+    // What stands on the ground may be seen from above, so there is more sky than in one view.
+    const int above = recipe.has_ground ? scenery.height / 4 : 0;
+    Result<PaintedTexture> half =
+        PaintedTexture::create(scenery.width / 2, (scenery.height + above) / 2);
+    Result<PaintedTexture> far = PaintedTexture::create(scenery.width, scenery.height + above);
+    if (!half || !far) return;
+
+    half->bind_to_draw();
+    const Shader& sky = shaders_[kSky];
+    give_size(sky, *half);
+    give_color(sky, "low", recipe.sky[0]);
+    give_color(sky, "middle", recipe.sky[1]);
+    give_color(sky, "high", recipe.sky[2]);
+    const double begin = recipe.has_ground ? 0.5 * horizon_of(scenery.height) : 0.0;
+    give(sky, "ranges", 0.5 * begin, 0.5 * (scenery.height - begin), 0.5 * scenery.height);
+    give(sky, "weather", static_cast<double>(recipe.clouds), static_cast<double>(recipe.shafts), 0);
+    cover({0, 0, half->width(), half->height()});
+
+    far->bind_to_draw();
+    half->bind_to_sample();
+    const Shader& finish = shaders_[kFinish];
+    give_size(finish, *far);
+    const bool among_stars =
+        recipe.body == HeavenlyBody::kEarth || recipe.body == HeavenlyBody::kCrescent;
+    give(finish, "body", recipe.body_place.x() * scenery.width,
+         recipe.body_place.y() * scenery.height,
+         among_stars ? recipe.body_radius * scenery.height : 0.0);
+    glUniform4f(finish.uniform("body_color"), recipe.body_color.r, recipe.body_color.g,
+                recipe.body_color.b, recipe.body == HeavenlyBody::kEarth ? 1.0F : 0.0F);
+    glUniform1f(finish.uniform("stars"), recipe.stars);
+    glUniform2f(finish.uniform("ranges"), 0.25F * static_cast<float>(scenery.height),
+                0.65F * static_cast<float>(scenery.height));
+    cover({0, 0, far->width(), far->height()});
+    scenery.far = std::move(*far);
+    paint_ridges(scenery);
+}
+
+void BackdropPainter::paint_ridges(const Scenery& scenery) {
+    const BackdropRecipe& recipe = *scenery.recipe;
+    const Shader& ridge = shaders_[kRidge];
+    give_size(ridge, *scenery.far);
+    glUniform1i(ridge.uniform("form"), static_cast<int>(recipe.form));
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    for (std::size_t i = 0; i < recipe.ridges.size(); ++i) {
+        const auto& [crest, foot] = recipe.ridges[i];
+        const int chain = static_cast<int>(i);
+        // With ground, all stand on the horizon; else nearer ones lie deeper.
+        const int high = scenery.height * (recipe.has_ground ? 24 - 3 * chain : 30) / 100;
+        const int low = recipe.has_ground ? horizon_of(scenery.height) - 2
+                                          : high * (15 * (2 - chain) - 25) / 100;
+        glUniform4f(ridge.uniform("strip"), static_cast<float>(low), static_cast<float>(high),
+                    static_cast<float>(3 + 7 * chain),
+                    static_cast<float>((4 + 2 * chain) * scenery.width / kLeastWidth));
+        give_color(ridge, "crest", crest);
+        give_color(ridge, "foot", foot);
+        const float shine = recipe.form == RidgeForm::kSeabed ? 0.03F : 0.12F;
+        const Color glint = mix(crest, color_of(0xFFFFFF), 0.5F);
+        give(ridge, "glint", static_cast<double>(shine * glint.r),
+             static_cast<double>(shine * glint.g), static_cast<double>(shine * glint.b));
+        glUniform1f(ridge.uniform("rough"), static_cast<float>(roughness(recipe.form, i)));
+        cover({0, low, scenery.far->width(), high});
+    }
+    glDisable(GL_BLEND);
+}
+
+void BackdropPainter::paint_tile(Scenery& scenery) {
+    Result<PaintedTexture> tile = PaintedTexture::create(kTileWidth, kTileHeight);
+    if (!tile) return;
+    tile->bind_to_draw();
+    const Shader& soil = shaders_[kSoil];
+    give_size(soil, *tile);
+    const BackdropRecipe& recipe = *scenery.recipe;
+    give_color(soil, "cover", recipe.ground[0]);
+    give_color(soil, "upper", recipe.ground[1]);
+    give_color(soil, "deep", recipe.ground[2]);
+    give_color(soil, "stones", recipe.ground[3]);
+    glUniform1i(soil.uniform("form"), static_cast<int>(recipe.soil));
+    cover({0, 0, kTileWidth, kTileHeight});
+    scenery.tile = std::move(*tile);
+}
+
+void BackdropPainter::scale_ground(Scenery& scenery, double pixels_per_metre) {
+    scenery.scale = pixels_per_metre;
+    const int width =
+        static_cast<int>(std::round(tile_metres(pixels_per_metre) * pixels_per_metre));
+    const int repeats = (scenery.width + width - 1) / width;
+    Result<PaintedTexture> ground =
+        PaintedTexture::create(repeats * width, kTileHeight * width / kTileWidth);
+    if (!ground) {
+        scenery.ground.reset();
+        return;
+    }
+    const KeptFramebuffers kept;
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    ground->bind_to_draw();
+    scenery.tile->bind_to_sample();
+    const Shader& scale = shaders_[kScale];
+    give_size(scale, *ground);
+    glUniform1f(scale.uniform("repeats"), static_cast<float>(repeats));
+    cover({0, 0, ground->width(), ground->height()});
+    glEnable(GL_BLEND);
+    glEnable(GL_SCISSOR_TEST);
+    scenery.ground = std::move(*ground);
+}
+
+void BackdropPainter::draw(const Backdrop& backdrop, const Camera& camera,
+                           const PixelRect& target) {
+    const BackdropRecipe& recipe = *backdrop.recipe;
+    glEnable(GL_SCISSOR_TEST);
+    Scenery& scenery = scenery_for(recipe, target);
+    const int surface = recipe.has_ground ? surface_of(camera, target) : 0;
+    const bool ground_seen = scenery.tile && surface > 0;
+    // Zooms that a person cannot tell apart are not painted twice.
+    if (ground_seen && scenery.scale != camera.pixels_per_metre)
+        scale_ground(scenery, camera.pixels_per_metre);
+    const KeptFramebuffers kept;
+    fill_rect(target, recipe.sky[1]);
+    glScissor(target.x, target.y, target.width, target.height);
+    if (scenery.far) copy_far(scenery, backdrop, camera, target, surface);
+    if (ground_seen && scenery.ground) copy_ground(scenery, camera, target, surface);
+    glViewport(target.x, target.y, target.width, target.height);
+}
+
+void BackdropPainter::copy_far(const Scenery& scenery, const Backdrop& backdrop,
+                               const Camera& camera, const PixelRect& target, int surface) const {
+    scenery.far->bind_to_copy();
+    const int width = scenery.far->width();
+    const int height = scenery.far->height();
+    const int from =
+        wrapped(camera.center.x() * camera.pixels_per_metre * kFarSpeed + backdrop.drift, width);
+    // Where the picture's lower edge is: the horizon lies on the ground, or the upper edges agree.
+    const int low =
+        scenery.recipe->has_ground ? surface - horizon_of(scenery.height) : target.height - height;
+    const int first = std::clamp(low, 0, target.height);
+    const int last = std::clamp(low + height, 0, target.height);
+    copy_repeated(from, width, first - low,
+                  {target.x, target.y + first, target.width, last - first});
+    fill_rect({target.x, target.y + last, target.width, target.height - last},
+              scenery.recipe->sky[2]);
+    glScissor(target.x, target.y, target.width, target.height);
+}
+
+void BackdropPainter::copy_ground(const Scenery& scenery, const Camera& camera,
+                                  const PixelRect& target, int surface) const {
+    scenery.ground->bind_to_copy();
+    const double scale = camera.pixels_per_metre;
+    const int period = static_cast<int>(std::round(tile_metres(scale) * scale));
+    const int from = wrapped(camera.center.x() * scale - 0.5 * target.width, period);
+    const int high = std::min(surface, target.height);
+    const int low = surface - scenery.ground->height();
+    const int first = std::clamp(low, 0, high);
+    copy_repeated(from, scenery.ground->width(), first - low,
+                  {target.x, target.y + first, target.width, high - first});
+    const Color& deep = scenery.recipe->ground[2];
+    fill_rect({target.x, target.y, target.width, first}, mix(deep, color_of(0x000000), 0.08F));
+    glScissor(target.x, target.y, target.width, target.height);
+}
+
+}  // namespace cambrian
