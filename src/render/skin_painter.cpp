@@ -94,20 +94,20 @@ void cover(int i) {
 float pattern() {
     float along = inside.x / form.z + phase;
     float across = inside.y / form.z;
-    float sway = 0.09 * sin(across * 9.0 + phase * 5.0) + 0.05 * sin(across * 21.0 + along * 4.0);
+    float sway = 0.10 * sin(across * 4.7 + phase * 5.0);
     float wave = -1.0;
     if (form.w > 4.5) {
-        wave = abs(fract(along - abs(across) * 0.8 + 0.5 * sway) - 0.5) * 4.0 - 1.0;
+        wave = abs(fract(along - abs(across + 0.3 * sway) * 0.8) - 0.5) * 4.0 - 1.0;
     } else if (form.w > 3.5) {
-        wave = (lean.y * 1.7 - 0.25 + 0.9 * sin(along * 6.28318) * 0.35 + sway) * 3.0;
+        wave = (lean.y * 1.7 - 0.3 + 0.34 * sin(along * 7.3) + sway) * 3.0;
     } else if (form.w > 2.5) {
-        wave = abs(fract(across * 1.35 + 0.25 + 0.05 * sin(along * 6.28318)) - 0.5) * 4.0 - 1.0;
+        wave = abs(fract(across * 1.35 + 0.25 + 0.06 * sin(along * 5.1)) - 0.5) * 4.0 - 1.0;
     } else if (form.w > 1.5) {
         float row = floor(across * 1.5 + 0.5);
         vec2 cell = vec2(fract(along * 1.5 + 0.5 * row) - 0.5, across * 1.5 - row);
         wave = (0.33 + 0.06 * sin(along * 2.7 + row * 2.1) - length(cell)) * 7.0;
     } else if (form.w > 0.5) {
-        wave = abs(fract(along + sway) - 0.5) * 4.0 - 1.0;
+        wave = abs(fract(along + sway) - 0.5) * 4.0 - 0.9;
     }
     float soft = 0.10 + 3.0 / form.z;
     return smoothstep(-soft, soft, wave);
