@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <new>
+#include <system_error>
 
 int main(int argc, char** argv) {
     using cambrian::ExitStatus;
@@ -14,6 +15,11 @@ int main(int argc, char** argv) {
                           : cambrian::fail(prepared.error(), ExitStatus::kFailed);
     } catch (const std::bad_alloc&) {
         cambrian::say("out of memory");
+    } catch (const std::system_error& failure) {
+        const bool threads = failure.code() == std::errc::resource_unavailable_try_again;
+        cambrian::say(threads ? "the system lets this program start no more threads; --threads N "
+                                "asks for fewer"
+                              : failure.what());
     } catch (const std::exception& failure) {
         cambrian::say(failure.what());
     }

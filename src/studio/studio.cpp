@@ -49,7 +49,8 @@ public:
     void run() {
         const Stopwatch clock;
         double last_start = 0.0;
-        while (!window_.close_wanted() && !controller_.window().quit_wanted()) {
+        while (!window_.close_wanted() && !controller_.window().quit_wanted() &&
+               !options_.end.stop_requested()) {
             wait_for_frame(clock, last_start);
             const double now = clock.seconds();
             frame_log_.begin_frame();

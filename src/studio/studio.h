@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 
 namespace cambrian {
 
@@ -30,6 +31,7 @@ struct StudioOptions {
     std::filesystem::path status_log;
     std::filesystem::path screenshot;  // PNG file of the window at the end; empty for none
     double quit_after = 0.0;           // s; 0 keeps the window open
+    std::stop_token end;               // a stop request closes the window
     bool viewer = false;               // shows only the viewport and its transport bar
     std::optional<ThemeKind> theme;    // replaces the stored theme
     bool evolve = false;               // starts evolution at once

@@ -47,7 +47,7 @@ class CommandLine(ProgramTest):
         result = self.run_program("studio", "--if-no-display", "small.toml",
                                   env={"DISPLAY": "", "WAYLAND_DISPLAY": ""})
         self.assertEqual(result.returncode, DONE, result.stderr)
-        self.assertEqual(result.stderr.count("\n"), 1)
+        self.assertEqual(result.stderr.count("\n"), 2)
         self.assertIn("without a window", result.stderr)
         self.assertIn("champion-walking-seed1.creature.json", self.files())
 

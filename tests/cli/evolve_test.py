@@ -5,6 +5,7 @@ import os
 import pty
 import signal
 import subprocess
+import time
 import unittest
 
 from program import CAMBRIAN, DONE, FAILED, ROOT, SMALL, ProgramTest
@@ -93,6 +94,83 @@ class Evolve(ProgramTest):
         self.assertTrue((self.folder / "mine.json").exists())
         self.run_well(*common, "--out", "/dev/null")
         self.assertFalse(os.path.isfile("/dev/null"))
+
+    def test_a_name_that_fits_no_file_of_a_run_is_refused(self):
+        self.write("small.toml", SMALL)
+        self.write("kept.toml", SMALL)
+        (self.folder / "res").mkdir()
+        before = self.files()
+        for name in ["runs-2026.11.29", "res/gravity9.81", "run.Cambrian", "a.csv", "a.card.png",
+                     "kept.toml", ".json"]:
+            result = self.run_program("evolve", "small.toml", "-n", 1, "--out", name)
+            self.assert_refused(result, f"--out {name}: expected a folder ({name}/), an experiment "
+                                        f"({name}.cambrian) or a creature file")
+        self.assertEqual(self.files(), before)
+        self.assertEqual((self.folder / "kept.toml").read_text(), SMALL)
+
+    def test_what_a_name_will_become_is_said_before_the_run(self):
+        self.write("small.toml", SMALL)
+        champion = "champion-walking-seed1.creature.json"
+        for options, words in [
+                ([], f"writes the experiment to walking-seed1.cambrian and the champion to {champion}"),
+                (["-o", "new/"], "the experiment to new/walking-seed1.cambrian and the champion to "
+                                 f"new/{champion}"),
+                (["-o", "a.cambrian"], "writes the experiment to a.cambrian\n"),
+                (["-o", "a.json"], "writes the champion to a.json, and no experiment; --out")]:
+            result = self.run_well("evolve", "small.toml", "-n", 1, *options)
+            self.assertIn(words, result.stderr)
+            self.assertEqual(result.stderr.count("\n"), 1)
+
+    def test_equal_runs_at_once_into_one_folder_all_keep_their_files(self):
+        self.write("small.toml", SMALL)
+        runs = [self.start("evolve", "small.toml", "-n", 1, "--threads", 1, "--out", "sweep/")
+                for _ in range(8)]
+        for run in runs:
+            _, messages = run.communicate(timeout=240)
+            self.assertEqual(run.returncode, DONE, messages)
+        numbers = ["", *(f"-{number}" for number in range(2, 9))]
+        self.assertEqual(sorted(path.name for path in (self.folder / "sweep").iterdir()),
+                         sorted([f"walking-seed1{each}.cambrian" for each in numbers] +
+                                [f"champion-walking-seed1{each}.creature.json" for each in numbers]))
+
+    @unittest.skipUnless(os.geteuid() == 0, "only root can become another user")
+    def test_a_start_without_threads_says_so_and_leaves_no_file(self):
+        self.write("small.toml", SMALL)
+        self.write("pond.toml", (ROOT / "assets/settings/pond.toml").read_text())
+        self.folder.chmod(0o777)
+        user = ["setpriv", "--reuid=64321", "--regid=64321", "--clear-groups"]
+        program = self.reachable_program()
+        before = self.files()
+        for command in [["evolve", "small.toml", "-n", "1"],
+                        ["preserve", "pond.toml", "--seconds", "1"]]:
+            run = [program, *command, "--out", "p.cambrian"]
+            result = subprocess.run([*user, "prlimit", "--nproc=3", *run, "--threads", "16"],
+                                    cwd=self.folder, capture_output=True, encoding="utf-8",
+                                    check=False)
+            self.assert_refused(result, "threads", "--threads", status=FAILED)
+            self.assertEqual(self.files(), before)
+            result = subprocess.run([*user, *run, "--threads", "1"], cwd=self.folder,
+                                    capture_output=True, encoding="utf-8", check=False)
+            self.assertEqual(result.returncode, DONE, result.stderr)
+            (self.folder / "p.cambrian").unlink()
+
+    def test_signals_that_were_ignored_before_the_start_stay_ignored(self):
+        self.write("small.toml", "[run]\ngenerations = 100000\n[population]\nsize = 6\n"
+                                 "[trial]\nduration = 1\n")
+        pond = ROOT / "assets/settings/pond.toml"
+        for command in [["evolve", "small.toml", "--out", "a.cambrian"],
+                        ["preserve", pond, "--out", "b.cambrian"]]:
+            process = self.start(*command, "--threads", 1, stdout=subprocess.DEVNULL,
+                                 preexec_fn=lambda: (signal.signal(signal.SIGHUP, signal.SIG_IGN),
+                                                     signal.signal(signal.SIGINT, signal.SIG_IGN)))
+            self.wait_until_caught(process, signal.SIGTERM)
+            for ignored in (signal.SIGHUP, signal.SIGINT):
+                process.send_signal(ignored)
+            time.sleep(0.5)
+            self.assertIsNone(process.poll())
+            process.send_signal(signal.SIGTERM)
+            process.communicate(timeout=120)
+            self.assertEqual(process.returncode, DONE)
 
     def test_the_champion_scores_in_its_file_what_the_report_said(self):
         self.write("small.toml", SMALL)

@@ -104,6 +104,29 @@ class Files(ProgramTest):
         self.assertIn("standard output: it leads to run.cambrian", result.stderr)
         self.assertEqual(self.contents(), before)
 
+    def test_a_name_must_fit_what_a_command_writes(self):
+        self.evolve("-o", "run.cambrian")
+        self.run_well("export", "run.cambrian", "--champion", "-o", "best.creature.json")
+        before = self.contents()
+        for arguments, endings in [
+                (["export", "run.cambrian", "--champion", "-o", "small.toml"], ".creature.json or .json"),
+                (["export", "run.cambrian", "-g", "0", "-o", "a.card.png"], ".creature.json or .json"),
+                (["export", "run.cambrian", "--stats", "-o", "stats"], ".csv"),
+                (["export", "run.cambrian", "--stats", "-o", "best.creature.json"], ".csv"),
+                (["export", "run.cambrian", "--settings", "-o", "settings.json"], ".toml"),
+                (["simulate", "best.creature.json", "--trace", "small.toml"], ".csv"),
+                (["rescore", "best.creature.json", "-o", "small.toml"], ".creature.json or .json"),
+                (["settings", "-o", "best.creature.json"], ".toml"),
+                *((command, ending) for command, ending in [
+                    (["render", "best.creature.json", "-o", "small.toml"], ".png, .mp4 or .gif"),
+                    (["view", "best.creature.json", "--screenshot", "small.toml"], ".png"),
+                    (["view", "best.creature.json", "--frame-log", "small.toml"], ".csv")]
+                  if self.possible([command]))]:
+            result = self.run_program(*arguments)
+            self.assert_refused(result, f"cannot write {arguments[-1]}: it will be a",
+                                f"expected a name that ends in {endings}\n")
+            self.assertEqual(self.contents(), before, arguments)
+
     def test_nothing_but_an_experiment_is_written_as_one(self):
         self.evolve("-o", "run.cambrian")
         before = self.contents()

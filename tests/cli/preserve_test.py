@@ -92,6 +92,12 @@ class Preserve(ProgramTest):
             self.assertEqual(both[0], both[1])
         self.assertIn("replay verified, 3 snapshots up to 120 s",
                       self.run_well("verify", "a.cambrian").stdout)
+        lives = list(csv.DictReader(self.run_well("export", "a.cambrian",
+                                                  "--lives").stdout.splitlines()))
+        for life in lives:
+            self.assertRegex(life["uid"], "^[0-9a-f]{16}$")
+        self.assertLessEqual({life["parent1"] for life in lives},
+                             {"0", *(life["number"] for life in lives)})
         series = list(csv.DictReader(both[0].splitlines()))
         self.assertEqual(len(series), 12)
         self.assert_refused(self.run_program("preserve", "-r", "a.cambrian", "--seconds", 120),

@@ -194,6 +194,34 @@ class Render(ProgramTest):
         self.assert_refused(result, "a.mp4", "no such encoder", status=FAILED)
         self.assertEqual(self.files(), ["ffmpeg"])
 
+    def fake_ffmpeg(self, script):
+        self.write("ffmpeg", "#!/bin/sh\n" + script).chmod(0o755)
+        return self.run_program("render", WALKER, "-o", "a.mp4", "--seconds", 0.5,
+                                env={"PATH": f"{self.folder}:/usr/bin:/bin"})
+
+    def test_many_messages_of_ffmpeg_hold_up_no_clip(self):
+        result = self.fake_ffmpeg("for last; do true; done\n"
+                                  "head -c 300000 /dev/zero | tr '\\0' w >&2\n"
+                                  "cat > ${last#file:}\n"
+                                  "head -c 300000 /dev/zero | tr '\\0' w >&2\n")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.files(), ["a.mp4", "ffmpeg"])
+
+    def test_a_clip_into_which_ffmpeg_wrote_nothing_is_an_error(self):
+        result = self.fake_ffmpeg("cat > /dev/null\n")
+        self.assert_refused(result, "cannot make a.mp4: ffmpeg wrote nothing", status=FAILED)
+        self.assertEqual(self.files(), ["ffmpeg"])
+
+    def test_a_gif_is_as_long_in_browsers_as_its_trial(self):
+        self.refuse(WALKER, "-o", "a.gif", "--fps", 60,
+                    parts=["a.gif: a GIF shows at most 50 frames a second, found 60"])
+        self.run_well("render", WALKER, "-o", "a.gif", "--seconds", 0.5, "--fps", 50,
+                      "--size", "64x64")
+        gif = (self.folder / "a.gif").read_bytes()
+        delays = [int.from_bytes(gif[at + 4:at + 6], "little") for at in range(len(gif) - 8)
+                  if gif[at:at + 3] == b"\x21\xf9\x04" and gif[at + 7] == 0]
+        self.assertEqual(set(delays), {2})
+
     def test_an_interrupted_clip_leaves_nothing(self):
         before = self.write("clip.mp4", "the clip before")
         process = self.start("render", WALKER, "-o", "clip.mp4", "--fps", 120, "--speed", 0.05,

@@ -6,6 +6,7 @@ import json
 import os
 import random
 import shutil
+import signal
 import sqlite3
 import subprocess
 import time
@@ -43,6 +44,14 @@ class StudioWindow(StudioTest):
         self.wait_for("generation", number=0)
         self.assertIn(os.SCHED_IDLE, self.schedulers())
         self.quit()
+
+    def test_a_signal_closes_the_window_as_a_person_would(self):
+        display = self.open_display(painted=False)
+        for asked in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
+            self.start(display)
+            self.studio.send_signal(asked)
+            self.assertEqual(self.studio.wait(60), 0, asked)
+            self.wait_for("quit")
 
     def test_a_gene_is_edited_undone_made_again_and_saved(self):
         self.write("small.toml", SMALL)

@@ -7,7 +7,7 @@
 #include "core/files/file_lock.h"
 #include "core/files/output_target.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -82,6 +82,24 @@ bool is_experiment_name(const fs::path& path) {
     return path.extension() == kExperimentEnding;
 }
 
+Status check_ending(const fs::path& path, const OutputForm& form) {
+    const std::string name = path.filename().string();
+    const bool fits =
+        std::any_of(form.endings.begin(), form.endings.end(), [&](std::string_view ending) {
+            return name.size() > ending.size() && name.ends_with(ending);
+        });
+    // A target that is none is reported by those who open it.
+    const Result<OutputTarget> target = output_target(path);
+    if (fits || name.empty() || !target || target->kind != OutputTarget::Kind::kFile) return {};
+    // The ending of experiments has a message of its own.
+    if (is_experiment_name(path)) return {};
+    const auto last = form.endings.end() - 1;
+    std::string endings = fmt::format("{}", fmt::join(form.endings.begin(), last, ", "));
+    if (!endings.empty()) endings += " or ";
+    return cannot_write(path, fmt::format("it will be {}; expected a name that ends in {}{}",
+                                          form.what, endings, *last));
+}
+
 CommandFiles& CommandFiles::reads(const std::string& path) {
     add(inputs_, path);
     add(required_, path);
@@ -97,6 +115,16 @@ CommandFiles& CommandFiles::reads_each(const std::vector<std::string>& paths) {
 CommandFiles& CommandFiles::writes(const std::string& path) {
     add(outputs_, path);
     return *this;
+}
+
+CommandFiles& CommandFiles::writes(const std::string& path, const OutputForm& form) {
+    if (!path.empty()) named_.push_back({path, form});
+    return writes(path);
+}
+
+CommandFiles& CommandFiles::appends(const std::string& path, const OutputForm& form) {
+    if (!path.empty()) named_.push_back({path, form});
+    return appends(path);
 }
 
 CommandFiles& CommandFiles::appends(const std::string& path) {
@@ -158,6 +186,9 @@ Status CommandFiles::check() const {
     }
     for (const fs::path& output : outputs_) {
         if (Status writable = check_writable(output); !writable) return writable;
+    }
+    for (const Named& output : named_) {
+        if (Status fits = check_ending(output.path, output.form); !fits) return fits;
     }
     return {};
 }

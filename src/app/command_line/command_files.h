@@ -7,9 +7,29 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cambrian {
+
+// What a command writes into a file, and the endings that its name may have; the first is the usual
+// one.
+struct OutputForm {
+    std::string_view what;  // "a creature"
+    std::vector<std::string_view> endings;
+};
+
+namespace output_form {
+inline const OutputForm kCreature{"a creature", {".creature.json", ".json"}};
+inline const OutputForm kTable{"a table", {".csv"}};
+inline const OutputForm kSettings{"a settings file", {".toml"}};
+inline const OutputForm kPicture{"a picture", {".png"}};
+inline const OutputForm kDrawing{"a picture or a clip", {".png", ".mp4", ".gif"}};
+}  // namespace output_form
+
+// Fails unless the name has an ending of the form. Folders and streams, such as /dev/stdout, may
+// have any name.
+Status check_ending(const std::filesystem::path& path, const OutputForm& form);
 
 class CommandFiles {
 public:
@@ -18,8 +38,11 @@ public:
     // Files that the command reads one by one; it reports a missing one itself and continues.
     CommandFiles& reads_each(const std::vector<std::string>& paths);
     CommandFiles& writes(const std::string& path);
+    // The name must fit what is written.
+    CommandFiles& writes(const std::string& path, const OutputForm& form);
     // A file to which the command appends.
     CommandFiles& appends(const std::string& path);
+    CommandFiles& appends(const std::string& path, const OutputForm& form);
     // An experiment file that the command creates.
     CommandFiles& keeps(const std::string& path);
 
@@ -38,6 +61,11 @@ private:
     std::vector<std::filesystem::path> outputs_;
     std::vector<std::filesystem::path> logs_;
     std::vector<std::filesystem::path> experiments_;
+    struct Named {
+        std::filesystem::path path;
+        OutputForm form;
+    };
+    std::vector<Named> named_;  // those of the outputs and logs whose names must fit
 };
 
 // Returns whether a path names an experiment file (*.cambrian).

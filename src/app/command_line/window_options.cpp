@@ -39,8 +39,8 @@ void add_window_options(CLI::App& app, StudioOptions& options) {
 CommandFiles window_files(const StudioOptions& options) {
     return CommandFiles()
         .appends(options.status_log)
-        .appends(options.frame_log)
-        .writes(options.screenshot);
+        .appends(options.frame_log, output_form::kTable)
+        .writes(options.screenshot, output_form::kPicture);
 }
 
 }  // namespace cambrian

@@ -2,6 +2,7 @@
 
 #include "app/cluster/cluster_options.h"
 #include "app/cluster/cluster_watch.h"
+#include "app/command_line/started_file.h"
 #include "app/evolve/evolution_report.h"
 #include "app/evolve/run_outputs.h"
 #include "app/process/interruption.h"
@@ -67,11 +68,26 @@ Result<std::filesystem::path> save_champion(const std::filesystem::path& path,
 struct Course {
     Evolution evolution;
     ExperimentSettings limits;  // tells when the run ends
+    StartedFile made;           // of this start; it is removed after `file` is closed
     std::shared_ptr<ExperimentFile> file;
     RunOutputs outputs;
     // The experiment that is continued, if any.
     std::optional<SavedExperiment> before = std::nullopt;
 };
+
+// Gives the experiment its name. If another run has taken it meanwhile, the next free ones are
+// tried.
+Result<RunOutputs> take_names(ExperimentFile& file, RunOutputs outputs, const EvolutionRun& run,
+                              const ExperimentSettings& settings) {
+    for (;;) {
+        const Status named = file.move_to(outputs.experiment, ExperimentFile::Existing::kRefuse);
+        if (named) return outputs;
+        Result<RunOutputs> others = run_outputs(run.out, settings, files_of(run));
+        if (!others) return others;
+        if (others->experiment == outputs.experiment) return named.error();
+        outputs = *std::move(others);
+    }
+}
 
 Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) {
     const Result<SettingsPtr> settings = settings_of(run, kinds);
@@ -84,18 +100,18 @@ Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) 
     const std::vector<GenomePtr> founders = genomes_of(*files);
     Result<RunOutputs> outputs = run_outputs(run.out, **settings, files_of(run));
     if (!outputs) return outputs.error();
+    StartedFile made;
     std::shared_ptr<ExperimentFile> file;
     if (!outputs->experiment.empty()) {
         auto created = ExperimentFile::create(kinds, *settings, founders);
         if (!created) return created.error();
         file = *created;
-        if (const Status named =
-                file->move_to(outputs->experiment, ExperimentFile::Existing::kRefuse);
-            !named)
-            return named.error();
+        outputs = take_names(*file, *std::move(outputs), run, **settings);
+        if (!outputs) return outputs.error();
+        made = StartedFile(outputs->experiment);
     }
-    return Course{Evolution(*settings, kinds, founders), **settings, std::move(file),
-                  *std::move(outputs)};
+    return Course{Evolution(*settings, kinds, founders), **settings, std::move(made),
+                  std::move(file), *std::move(outputs)};
 }
 
 // Fails if an experiment has already reached its limits.
@@ -131,6 +147,8 @@ Result<std::string> file_to_resume(const EvolutionRun& run, const EvolutionKinds
 Result<Course> resumed_course(const EvolutionRun& run, const EvolutionKinds& kinds) {
     const Result<std::string> file = file_to_resume(run, kinds);
     if (!file) return file.error();
+    StartedFile made;
+    if (*file != run.resume) made = StartedFile(*file);
     Result<OpenedExperiment> opened = open_experiment(*file, kinds);
     if (!opened) return opened.error();
     const SavedExperiment& saved = opened->saved;
@@ -142,8 +160,8 @@ Result<Course> resumed_course(const EvolutionRun& run, const EvolutionKinds& kin
         run.out.empty() ? RunOutputs{} : run_outputs(run.out, limits, files_of(run));
     if (!outputs) return outputs.error();
     outputs->experiment = *file;
-    return Course{resumed(saved, kinds), std::move(limits), std::move(opened->file),
-                  *std::move(outputs), std::move(opened->saved)};
+    return Course{resumed(saved, kinds),   std::move(limits),   std::move(made),
+                  std::move(opened->file), *std::move(outputs), std::move(opened->saved)};
 }
 
 Result<Course> course_of(const EvolutionRun& run, const EvolutionKinds& kinds) {
@@ -193,6 +211,7 @@ Harvest evolve(Course& course, EvaluationBackend& backend, const ReportedRun& ru
                     [&backend] { return cluster_remark(backend.status()); });
     const ClusterWatch watch(backend, [&bar](std::string_view words) { bar.say_above(words); });
     GenerationReport report(backend, run);
+    course.made.keep();  // all threads have started
     for (;;) {
         if (!evolution.evaluate(backend, progress, interruption.token())) {
             const bool asked = interruption.requested();
@@ -292,6 +311,7 @@ RunEnd run_once(const EvolutionRun& run, const EvolutionKinds& kinds) {
     if (!course) return {fail(course.error())};
     const auto backend = backend_of(run, *cluster, course->outputs, kinds);
     if (!backend) return {fail(backend.error())};
+    if (run.resume.empty() || !run.out.empty()) say(words_of(course->outputs));
     const ReportedRun reported{course->limits.seed, kinds.goals.find(course->limits.goal)->unit,
                                run.json};
     const Harvest harvest = evolve(*course, **backend, reported);

@@ -18,14 +18,6 @@ RunOutputs named_in(const std::filesystem::path& folder, const std::string& name
             .experiment = folder / (numbered + ".cambrian")};
 }
 
-// Whether neither a name nor anything that is there tells what kind of file is wanted.
-bool tells_nothing(const std::string& asked) {
-    std::error_code unknown;
-    return !asked.empty() && asked.back() != '/' &&
-           std::filesystem::path(asked).extension().empty() &&
-           !std::filesystem::exists(std::filesystem::symlink_status(asked, unknown));
-}
-
 bool is_free(const RunOutputs& outputs) {
     std::error_code unknown;
     return !std::filesystem::exists(outputs.champion, unknown) &&
@@ -37,7 +29,7 @@ bool is_free(const RunOutputs& outputs) {
 Result<RunOutputs> run_outputs(const std::string& asked, const ExperimentSettings& settings,
                                const CommandFiles& files) {
     if (is_experiment_name(asked)) return RunOutputs{.champion = {}, .experiment = asked};
-    if (tells_nothing(asked))
+    if (!asked.empty() && !check_ending(asked, output_form::kCreature))
         return Error{
             fmt::format("--out {0}: expected a folder ({0}/), an experiment ({0}.cambrian) "
                         "or a creature file ({0}.creature.json)",
@@ -53,6 +45,18 @@ Result<RunOutputs> run_outputs(const std::string& asked, const ExperimentSetting
         outputs = named_in(place->parent_path(), name, ++number);
     } while (!is_free(outputs) && number < kMostOfOneName);
     return outputs;
+}
+
+std::string words_of(const RunOutputs& outputs) {
+    if (outputs.champion.empty())
+        return fmt::format("writes the experiment to {}", outputs.experiment.string());
+    if (outputs.experiment.empty())
+        return fmt::format(
+            "writes the champion to {}, and no experiment; --out FOLDER/ or --out NAME.cambrian "
+            "keeps one",
+            outputs.champion.string());
+    return fmt::format("writes the experiment to {} and the champion to {}",
+                       outputs.experiment.string(), outputs.champion.string());
 }
 
 }  // namespace cambrian

@@ -25,4 +25,7 @@ struct RunOutputs {
 Result<RunOutputs> run_outputs(const std::string& asked, const ExperimentSettings& settings,
                                const CommandFiles& files);
 
+// Says which files a run will write.
+std::string words_of(const RunOutputs& outputs);
+
 }  // namespace cambrian

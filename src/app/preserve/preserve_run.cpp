@@ -1,5 +1,6 @@
 #include "app/preserve/preserve_run.h"
 
+#include "app/command_line/started_file.h"
 #include "app/preserve/preserve_report.h"
 #include "app/process/interruption.h"
 #include "app/process/messages.h"
@@ -49,9 +50,10 @@ Result<std::vector<GenomePtr>> preserve_founders_of(const PreserveRun& run,
 
 // A preserve and the file that keeps it, if any.
 struct World {
-    std::unique_ptr<Preserve> preserve;
-    std::unique_ptr<PreserveFile> file;
-    std::string name;  // of the file
+    std::unique_ptr<Preserve> preserve = nullptr;
+    StartedFile made = {};  // of this start; it is removed after `file` is closed
+    std::unique_ptr<PreserveFile> file = nullptr;
+    std::string name = {};  // of the file
 };
 
 Result<World> new_world(const PreserveRun& run, const EvolutionKinds& kinds) {
@@ -71,6 +73,7 @@ Result<World> new_world(const PreserveRun& run, const EvolutionKinds& kinds) {
         run.out, {*settings, *std::move(founders), std::string(kSimulatorVersion)},
         world.preserve->take_chronicle(), *world.preserve, kinds);
     if (!file) return file.error();
+    world.made = StartedFile(run.out);
     world.file = std::move(*file);
     world.name = run.out;
     return world;
@@ -90,7 +93,7 @@ Result<World> resumed_world(const PreserveRun& run, const EvolutionKinds& kinds)
                                      opened->state, opened->laws);
     if (!preserve)
         return Error{fmt::format("cannot open {}: {}", run.resume, preserve.error().message)};
-    return World{std::move(*preserve), std::move(opened->file), run.resume};
+    return World{std::move(*preserve), {}, std::move(opened->file), run.resume};
 }
 
 // Rests after the changes, so that the next snapshot that is written has them.
@@ -175,6 +178,7 @@ Status compute(World& world, const PreserveRun& run, const Interruption& interru
     ThreadPool pool(run.threads ? static_cast<std::size_t>(*run.threads)
                                 : ThreadPool::default_workers());
     PreserveReport report(run.json);
+    world.made.keep();  // all threads have started
     Preserve& preserve = *world.preserve;
     const std::uint64_t begun = preserve.ticks();
     const std::uint64_t end = last_tick(run);

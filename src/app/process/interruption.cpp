@@ -16,16 +16,23 @@ void note_interruption(int /*signal*/) {
     interrupted = 1;
 }
 
+// A signal that was ignored before, for example by nohup, stays ignored.
+void catch_signal(int signal, struct sigaction& before) {
+    ::sigaction(signal, nullptr, &before);
+    if (before.sa_handler == SIG_IGN) return;
+    struct sigaction once {};
+    once.sa_handler = note_interruption;
+    once.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+    ::sigaction(signal, &once, nullptr);
+}
+
 }  // namespace
 
 Interruption::Interruption() {
     interrupted = 0;
-    struct sigaction once {};
-    once.sa_handler = note_interruption;
-    once.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
-    ::sigaction(SIGINT, &once, &interrupt_before_);
-    ::sigaction(SIGTERM, &once, &terminate_before_);
-    ::sigaction(SIGHUP, &once, &hang_up_before_);
+    catch_signal(SIGINT, interrupt_before_);
+    catch_signal(SIGTERM, terminate_before_);
+    catch_signal(SIGHUP, hang_up_before_);
     watch_ = std::jthread([this](const std::stop_token& stop) {
         std::mutex mutex;
         std::condition_variable_any woken;

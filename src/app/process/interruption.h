@@ -6,8 +6,9 @@
 
 namespace cambrian {
 
-// During its lifetime, the first Ctrl+C (or termination request) requests a stop; a second one ends
-// the program at once. Only one object may exist at a time.
+// During its lifetime, the first Ctrl+C (or termination request, or hang-up of the terminal)
+// requests a stop; a second one ends the program at once. Signals that were ignored when the
+// program started stay ignored. Only one object may exist at a time.
 class Interruption {
 public:
     Interruption();

@@ -50,7 +50,14 @@ public:
                        "File to write, standard output by default; with --museum a folder")
             ->type_name(option_type::kFile);
     }
-    CommandFiles files() const override { return CommandFiles().reads(file_).writes(out_); }
+    CommandFiles files() const override {
+        CommandFiles files;
+        files.reads(file_);
+        if (museum_) return files.writes(out_);  // a folder
+        return files.writes(out_, settings_                  ? output_form::kSettings
+                                  : champion_ || generation_ ? output_form::kCreature
+                                                             : output_form::kTable);
+    }
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (!champion_ && !generation_ && !stats_ && !settings_ && !lives_ && !series_ && !museum_)
             return fail(

@@ -97,6 +97,10 @@ Status check_options(const RenderOptions& options, Product product) {
     const bool timed = options.frames_a_second || options.speed || options.seconds;
     if (product != Product::kClip && timed)
         return Error{options.out + ": --fps, --speed and --seconds are for clips (*.mp4, *.gif)"};
+    const double rate = options.frames_a_second.value_or(ClipTiming().frames_a_second);
+    if (product == Product::kClip) {
+        if (Status possible = check_frame_rate(options.out, rate); !possible) return possible;
+    }
     const Size size = parse_size(options.size).value_or(usual_size(product));
     if (product == Product::kClip && (size.width % 2 != 0 || size.height % 2 != 0))
         return Error{options.out + ": clips must be an even number of pixels wide and high"};
@@ -178,7 +182,7 @@ public:
         return CommandFiles()
             .reads(options_.creature)
             .reads(options_.environment)
-            .writes(options_.out);
+            .writes(options_.out, output_form::kDrawing);
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
         const Result<Product> product = product_of(options_);

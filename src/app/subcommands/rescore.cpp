@@ -66,7 +66,9 @@ public:
                      "Default integrator, tolerance and contact step instead of the file's");
     }
 
-    CommandFiles files() const override { return CommandFiles().reads_each(files_).writes(out_); }
+    CommandFiles files() const override {
+        return CommandFiles().reads_each(files_).writes(out_, output_form::kCreature);
+    }
 
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (!out_.empty() && files_.size() > 1)

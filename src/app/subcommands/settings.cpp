@@ -30,7 +30,9 @@ public:
                "default")
             ->type_name(option_type::kSettings);
     }
-    CommandFiles files() const override { return CommandFiles().reads(file_).writes(out_); }
+    CommandFiles files() const override {
+        return CommandFiles().reads(file_).writes(out_, output_form::kSettings);
+    }
     ExitStatus run(const EvolutionKinds& kinds) override {
         const SettingsUse use = preserve_ ? SettingsUse::kPreserve : SettingsUse::kExperiment;
         const Result<ExperimentSettings> settings =

@@ -87,7 +87,7 @@ public:
         return CommandFiles()
             .reads(options_.creature)
             .reads(options_.environment)
-            .writes(options_.trace);
+            .writes(options_.trace, output_form::kTable);
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
         const Result<CreatureDocument> document = load_creature(options_.creature, kinds);

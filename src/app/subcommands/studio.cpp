@@ -7,6 +7,7 @@
 #include "app/command_line/window_options.h"
 #include "app/evolve/without_window.h"
 #include "app/process/assets_folder.h"
+#include "app/process/interruption.h"
 #include "app/subcommands/subcommands.h"
 #include "cluster/join_cluster.h"
 #include "studio/remembered.h"
@@ -75,11 +76,18 @@ public:
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (!cluster_.servers.empty()) options_.machines.cluster = cluster_;
         options_.machines.join = joining(kinds, options_.state_dir);
-        const Status shown = run_studio(options_, kinds);
+        const Status shown = show(kinds);
         return shown ? ExitStatus::kDone : without_window_.run(shown.error(), kinds);
     }
 
 private:
+    // Ctrl+C and termination requests close the window.
+    Status show(const EvolutionKinds& kinds) {
+        const Interruption interruption;
+        options_.end = interruption.token();
+        return run_studio(options_, kinds);
+    }
+
     ClusterLogin cluster_;
     StudioOptions options_;
     WithoutWindow without_window_;

@@ -1,5 +1,6 @@
 #include "app/command_line/option_types.h"
 #include "app/command_line/window_options.h"
+#include "app/process/interruption.h"
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
 #include "persist/creature/creature_file.h"
@@ -32,6 +33,8 @@ public:
         const auto document = load_creature(options_.open_file, kinds);
         if (!document) return fail(document.error());
         options_.theme = theme_ == "light" ? ThemeKind::kLight : ThemeKind::kDark;
+        const Interruption interruption;
+        options_.end = interruption.token();
         const Status shown = run_studio(options_, kinds);
         return shown ? ExitStatus::kDone : fail(shown.error(), ExitStatus::kFailed);
     }

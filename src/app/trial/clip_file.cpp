@@ -5,10 +5,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -21,6 +23,8 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kLongestComplaint = 400;  // bytes of ffmpeg's error message that are kept
+constexpr int kEndPause = 20;                   // ms
+constexpr int kMostEndPauses = 50;
 
 void close_pipe(int& pipe) {
     if (pipe >= 0) ::close(pipe);
@@ -99,6 +103,13 @@ bool is_clip_name(const std::filesystem::path& path) {
     return path.extension() == ".mp4" || path.extension() == ".gif";
 }
 
+Status check_frame_rate(const std::filesystem::path& path, double frames_a_second) {
+    if (path.extension() != ".gif" || frames_a_second <= kMostGifRate) return {};
+    return Error{fmt::format(
+        "{}: a GIF shows at most {} frames a second, found {}; browsers slow down faster ones",
+        path.string(), short_text(kMostGifRate), short_text(frames_a_second))};
+}
+
 Result<std::unique_ptr<ClipFile>> ClipFile::open(const std::filesystem::path& path, int width,
                                                  int height, double frames_a_second) {
     auto file = PendingFile::beside(path);
@@ -124,42 +135,76 @@ Status ClipFile::start(const std::vector<std::string>& arguments) {
     const int code = spawn(arguments, to[0], from[1], process_);
     ::close(to[0]);
     ::close(from[1]);
+    for (const int end : {pictures_, complaints_})
+        ::fcntl(end, F_SETFL, O_NONBLOCK);
     if (code == 0) return {};
     process_ = -1;
     return spawn_failure(code);
 }
 
+// Both pipes are served at the same time, since ffmpeg reads no pictures while nobody reads its
+// messages.
 Status ClipFile::add(const Image& picture) {
     std::size_t written = 0;
     while (written < picture.rgb.size()) {
+        std::array<pollfd, 2> ends{
+            {{pictures_, POLLOUT, 0}, {complaints_, POLLIN, 0}}};  // a closed one is never ready
+        if (::poll(ends.data(), ends.size(), -1) < 0 && errno != EINTR) return failure();
+        if (ends[1].revents != 0) drain();
+        if (ends[0].revents == 0) continue;
         const ssize_t count =
             ::write(pictures_, picture.rgb.data() + written, picture.rgb.size() - written);
-        if (count < 0 && errno == EINTR) continue;
+        if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
         if (count < 0) return failure();
         written += static_cast<std::size_t>(count);
     }
     return {};
 }
 
+// Reads what ffmpeg has written to its standard error and keeps the start of it.
+void ClipFile::drain() {
+    std::array<char, 4096> bytes{};
+    for (;;) {
+        const ssize_t count = ::read(complaints_, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count == 0) close_pipe(complaints_);
+        if (count <= 0) return;
+        words_.append(bytes.data(),
+                      std::min(static_cast<std::size_t>(count), kLongestComplaint - words_.size()));
+    }
+}
+
+// Waits for a while; returns whether ffmpeg has ended and, if so, its status.
+bool ClipFile::wait_for_end(int& status) {
+    pollfd messages{complaints_, POLLIN, 0};
+    ::poll(&messages, 1, kEndPause);
+    if (messages.revents != 0) drain();
+    if (::waitpid(process_, &status, WNOHANG) == 0) return false;
+    process_ = -1;
+    drain();
+    return true;
+}
+
 Status ClipFile::finish() {
     close_pipe(pictures_);
     int status = 0;
-    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+    while (!wait_for_end(status)) {
     }
-    process_ = -1;
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return failure();
+    std::error_code unknown;
+    if (std::filesystem::file_size(file_.path(), unknown) == 0) return failure("wrote nothing");
     return file_.commit();
 }
 
-// Returns what ffmpeg wrote to its standard error.
-Status ClipFile::failure() {
+// Its message may arrive after it has closed the pipe of pictures.
+Status ClipFile::failure(const char* otherwise) {
     close_pipe(pictures_);
-    std::string words(kLongestComplaint, '\0');
-    const ssize_t count = ::read(complaints_, words.data(), words.size());
-    words.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
-    words = words.substr(0, words.find('\n'));
+    int status = 0;
+    for (int pauses = 0; pauses < kMostEndPauses && process_ > 0; ++pauses)
+        wait_for_end(status);
+    const std::string words = words_.substr(0, words_.find('\n'));
     return Error{fmt::format("cannot make {}: ffmpeg {}", name_,
-                             words.empty() ? "failed" : "says " + words)};
+                             words.empty() ? otherwise : "says " + words)};
 }
 
 ClipFile::~ClipFile() {

@@ -56,7 +56,7 @@ struct LifeRow {
 };
 inline constexpr std::array kLifeColumns = {
     Column<LifeRow>{"number", &LifeRow::number},
-    Column<LifeRow>{"uid", &LifeRow::uid},
+    Column<LifeRow>{"uid", &LifeRow::uid, CellForm::kUid},
     Column<LifeRow>{"parent1", &LifeRow::parent1},
     Column<LifeRow>{"parent2", &LifeRow::parent2},
     Column<LifeRow>{"lineage", &LifeRow::lineage},

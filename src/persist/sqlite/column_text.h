@@ -4,8 +4,10 @@
 
 #include "core/text/number_text.h"
 #include "persist/sqlite/columns.h"
+#include "persist/text/digest_text.h"
 
 #include <string>
+#include <type_traits>
 
 namespace cambrian {
 
@@ -19,12 +21,21 @@ template <class Whole>
 std::string cell_text(Whole number) {
     return std::to_string(number);
 }
+// Uids are written as in creature files.
+template <class Value>
+std::string cell_text(const Value& value, CellForm form) {
+    if constexpr (std::is_same_v<Value, std::uint64_t>) {
+        if (form == CellForm::kUid) return uid_text(value);
+    }
+    return cell_text(value);
+}
 
 // Appends the values of a row, each followed by a comma.
 template <class Row>
 void add_cells(std::string& text, const Row& row, std::span<const Column<Row>> columns) {
     for (const Column<Row>& column : columns) {
-        text += std::visit([&row](auto field) { return cell_text(row.*field); }, column.field);
+        text += std::visit([&](auto field) { return cell_text(row.*field, column.form); },
+                           column.field);
         text += ',';
     }
 }

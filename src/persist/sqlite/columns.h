@@ -14,12 +14,16 @@
 
 namespace cambrian {
 
+// How a number is written in CSV.
+enum class CellForm : std::uint8_t { kPlain, kUid };
+
 template <class Row>
 struct Column {
     const char* name;
     std::variant<int Row::*, std::uint32_t Row::*, std::uint64_t Row::*, double Row::*, bool Row::*,
                  std::string Row::*>
         field;
+    CellForm form = CellForm::kPlain;
 };
 
 template <class Row>
