@@ -1,0 +1,62 @@
+#pragma once
+
+// The world that an environment is drawn as: its scenery, the light on skins, and what grows or
+// floats in it.
+
+#include "pictures/canvas/palette.h"
+#include "render/camera.h"
+#include "render/scene_frame.h"
+#include "world/environment.h"
+
+namespace cambrian {
+
+enum class WorldKind : unsigned char {
+    kMeadow,
+    kIce,
+    kMoon,
+    kWater,
+    kSeabed,
+    kAir,
+    kNight,
+    kNightSea,
+    kNightSky,
+};
+
+// Noon for pictures; the window is pale by day in the light theme, and at dusk in the dark one.
+enum class Daytime : unsigned char { kNoon, kPale, kDusk };
+
+constexpr Daytime daytime_of(ThemeKind theme) {
+    return theme == ThemeKind::kLight ? Daytime::kPale : Daytime::kDusk;
+}
+
+struct DrawnWorld {
+    WorldKind kind = WorldKind::kMeadow;
+    BackdropRecipe recipe;
+    SkinLight light;
+    Color grass = {};     // of blades; transparent where none grow
+    Color specks = {};    // of dust, snow or plankton
+    Color words = {};     // of marks and labels on the ground
+    float shadow = 0.0F;  // darkness of shadows on the ground, 0 to 1
+};
+
+// Returns the kind of world, by the first rule that fits: a lamp makes night, drag as great as the
+// swimmers' makes water, no ground air, little gravity the Moon, little friction ice.
+WorldKind world_kind_of(const Environment& environment);
+// The world stays where it is until the program ends.
+const DrawnWorld& drawn_world(WorldKind kind, Daytime daytime);
+
+// Gives the frame its backdrop and light, and adds what grows and floats behind creatures. `time`
+// is that of the trial, in s; blades sway and bubbles rise with it.
+void add_scenery(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
+                 const Viewport& viewport, double time);
+// Adds the glow of a lamp and lets it shine on skins; half of its light is left at `reach` (m).
+void add_lamp(SceneFrame& frame, const Camera& camera, const Viewport& viewport, const Vec2& place,
+              double reach);
+// Adds marks along the ground, so many metres apart.
+void add_ground_marks(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
+                      const Viewport& viewport, double spacing);
+// Adds blades before the creatures' feet.
+void add_foreground(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
+                    const Viewport& viewport, double time);
+
+}  // namespace cambrian

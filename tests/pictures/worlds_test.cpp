@@ -1,0 +1,151 @@
+// What environments look like, drawn without a display.
+
+#include "pictures/scene/worlds.h"
+
+#include "render/opengl/framebuffer.h"
+#include "render/opengl/offscreen_context.h"
+#include "render/opengl/pixels.h"
+#include "render/renderer.h"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr std::array kAllWorlds = {WorldKind::kMeadow, WorldKind::kIce,      WorldKind::kMoon,
+                                   WorldKind::kWater,  WorldKind::kSeabed,   WorldKind::kAir,
+                                   WorldKind::kNight,  WorldKind::kNightSea, WorldKind::kNightSky};
+
+template <class Thing>
+Thing opened(Result<Thing> thing) {
+    INFO((thing ? std::string() : thing.error().message));
+    REQUIRE(thing);
+    return std::move(*thing);
+}
+
+class Easel {
+public:
+    Image picture(const SceneFrame& frame, const Camera& camera, int width, int height) {
+        const Framebuffer framebuffer = opened(Framebuffer::create(width, height));
+        framebuffer.bind();
+        renderer_->draw(frame, camera, {0, 0, width, height});
+        return read_pixels(width, height);
+    }
+    Image picture(WorldKind kind, const Vec2& center, double scale = 100.0) {
+        Camera camera;
+        camera.center = center;
+        camera.pixels_per_metre = scale;
+        SceneFrame frame;
+        add_scenery(frame, drawn_world(kind, Daytime::kNoon), camera, {320.0, 200.0}, 1.5);
+        add_foreground(frame, drawn_world(kind, Daytime::kNoon), camera, {320.0, 200.0}, 1.5);
+        return picture(frame, camera, 320, 200);
+    }
+
+private:
+    std::unique_ptr<OffscreenContext> context_ = opened(OffscreenContext::create());
+    std::unique_ptr<Renderer> renderer_ = opened(Renderer::create());
+};
+
+// Rows count from the top.
+Color pixel(const Image& image, int x, int y) {
+    const auto at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                         static_cast<std::size_t>(x));
+    const auto part = [&](std::size_t i) { return static_cast<float>(image.rgb[at + i]) / 255.0F; };
+    return {part(0), part(1), part(2), 1.0F};
+}
+
+double difference(const Color& a, const Color& b) {
+    return static_cast<double>(std::fabs(a.r - b.r) + std::fabs(a.g - b.g) + std::fabs(a.b - b.b));
+}
+
+TEST_CASE("an environment decides which world is drawn", "[pictures][worlds]") {
+    Environment environment;
+    CHECK(world_kind_of(environment) == WorldKind::kMeadow);
+    environment.friction = 0.05;
+    CHECK(world_kind_of(environment) == WorldKind::kIce);
+    environment.gravity = 1.62;
+    CHECK(world_kind_of(environment) == WorldKind::kMoon);
+    environment.viscosity_quadratic = 1.0;
+    CHECK(world_kind_of(environment) == WorldKind::kSeabed);
+    environment.has_ground = false;
+    CHECK(world_kind_of(environment) == WorldKind::kWater);
+    environment.has_light = true;
+    CHECK(world_kind_of(environment) == WorldKind::kNightSea);
+    environment.viscosity_quadratic = 0.0;
+    CHECK(world_kind_of(environment) == WorldKind::kNightSky);
+    environment.has_ground = true;
+    CHECK(world_kind_of(environment) == WorldKind::kNight);
+    environment.has_ground = false;
+    environment.has_light = false;
+    CHECK(world_kind_of(environment) == WorldKind::kAir);
+}
+
+TEST_CASE("a moment of a world has the same bytes whatever was drawn before",
+          "[pictures][worlds][picture]") {
+    Easel first;
+    for (const WorldKind kind : kAllWorlds) {
+        const Image before = first.picture(kind, {0.3, 0.5});
+        // Moves and zooms between, which scales the ground anew.
+        first.picture(kind, {7.9, 0.2}, 180.0);
+        CHECK(first.picture(kind, {0.3, 0.5}).rgb == before.rgb);
+    }
+    Easel second;
+    CHECK(second.picture(WorldKind::kWater, {0.3, 0.5}).rgb ==
+          first.picture(WorldKind::kWater, {0.3, 0.5}).rgb);
+}
+
+TEST_CASE("ground begins at height 0, and worlds without it have none",
+          "[pictures][worlds][picture]") {
+    Easel easel;
+    for (const WorldKind kind : kAllWorlds) {
+        INFO(static_cast<int>(kind));
+        const DrawnWorld& world = drawn_world(kind, Daytime::kNoon);
+        // The middle of 200 rows is at 0.5 m, so y = 0 lies 50 pixels below it.
+        const Image image = easel.picture(kind, {0.0, 0.5});
+        int like_ground = 0;
+        for (int x = 0; x < image.width; ++x)
+            like_ground += difference(pixel(image, x, 199), world.recipe.ground[1]) < 0.6 &&
+                           difference(pixel(image, x, 199), pixel(image, x, 100)) > 0.1;
+        CHECK((like_ground > image.width / 2) == world.recipe.has_ground);
+    }
+}
+
+TEST_CASE("scenery moves with the camera, the ground with it and hills slower",
+          "[pictures][worlds][picture]") {
+    Easel easel;
+    Camera camera;
+    camera.pixels_per_metre = 100.0;
+    camera.center = {0.0, 0.5};
+    SceneFrame frame;
+    frame.backdrop.recipe = &drawn_world(WorldKind::kMoon, Daytime::kNoon).recipe;
+    const Image before = easel.picture(frame, camera, 320, 200);
+    camera.center.x() += 0.4;  // 40 pixels
+    const Image after = easel.picture(frame, camera, 320, 200);
+    for (int x = 0; x < 280; ++x) {
+        CHECK(difference(pixel(after, x, 190), pixel(before, x + 40, 190)) == 0.0);
+        CHECK(difference(pixel(after, x, 120), pixel(before, x + 4, 120)) == 0.0);
+    }
+}
+
+TEST_CASE("views of any size and place have a backdrop", "[pictures][worlds][picture]") {
+    Easel easel;
+    SceneFrame frame;
+    frame.backdrop.recipe = &drawn_world(WorldKind::kMeadow, Daytime::kDusk).recipe;
+    for (const Vec2& center : {Vec2(0.0, 0.0), Vec2(-1e6, 1e5), Vec2(1e6, -1e5)}) {
+        for (const double scale : {Camera::kMinScale, 100.0, Camera::kMaxScale}) {
+            Camera camera;
+            camera.center = center;
+            camera.pixels_per_metre = scale;
+            const Image image = easel.picture(frame, camera, 67, 41);
+            CHECK(difference(pixel(image, 33, 20), color_of(0x000000)) > 0.05);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace cambrian
