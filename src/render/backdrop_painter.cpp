@@ -259,6 +259,7 @@ void BackdropPainter::paint_tile(Scenery& scenery) {
 }
 
 void BackdropPainter::scale_ground(Scenery& scenery, double pixels_per_metre) {
+    const KeptFramebuffers kept;  // creating a texture binds it
     scenery.scale = pixels_per_metre;
     const int width =
         static_cast<int>(std::round(tile_metres(pixels_per_metre) * pixels_per_metre));
@@ -269,7 +270,6 @@ void BackdropPainter::scale_ground(Scenery& scenery, double pixels_per_metre) {
         scenery.ground.reset();
         return;
     }
-    const KeptFramebuffers kept;
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
     ground->bind_to_draw();
