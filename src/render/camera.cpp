@@ -36,6 +36,16 @@ void Camera::fit(const WorldWindow& target, double share, const Viewport& viewpo
     pixels_per_metre = std::clamp(scale, kMinScale, kMaxScale);
 }
 
+void Camera::keep_in_view(const WorldWindow& target, double margin, const Viewport& viewport) {
+    const Vec2 half = (0.5 - margin) * pixel() * Vec2(viewport.width, viewport.height);
+    const Vec2 least = target.high - half;  // of the centre
+    const Vec2 most = target.low + half;
+    for (int axis = 0; axis < 2; ++axis) {
+        center[axis] = least[axis] <= most[axis] ? std::clamp(center[axis], least[axis], most[axis])
+                                                 : 0.5 * (target.low[axis] + target.high[axis]);
+    }
+}
+
 void Camera::approach(const Vec2& target, double elapsed, double lag) {
     center += (target - center) * (1.0 - std::exp(-elapsed / lag));
 }

@@ -35,6 +35,9 @@ struct Camera {
     void pan(const Vec2& pixels);
     // Shows a rectangle of the world so that it fills at most `share` of the viewport.
     void fit(const WorldWindow& target, double share, const Viewport& viewport);
+    // Moves as little as is needed to show a rectangle of the world with a margin around it, which
+    // is a share of the viewport. If it does not fit, its middle is shown.
+    void keep_in_view(const WorldWindow& target, double margin, const Viewport& viewport);
     // Moves towards a point; covers 63 % of the distance in `lag` seconds.
     void approach(const Vec2& target, double elapsed, double lag);
 };

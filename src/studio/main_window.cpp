@@ -1,5 +1,7 @@
 #include "studio/main_window.h"
 
+#include "studio/widgets/keyboard_focus.h"
+
 #include <string>
 
 namespace cambrian {
@@ -63,6 +65,7 @@ void begin_card(const char* name, const Rect& rect, const PanelPlace& place) {
     ImGui::Begin(name, nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+    begin_focus_layer();
     draw_shadow(rect, rounding);
     note_place(std::string("panel ") + name, rect);
 }

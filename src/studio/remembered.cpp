@@ -89,6 +89,23 @@ constexpr std::array kClusterLines = {
     ClusterLine{"ca", &ClusterLogin::authority},
 };
 
+std::filesystem::path settings_in(const std::filesystem::path& folder) {
+    return folder / "experiment.toml";
+}
+
+// Renames settings that cannot be read. Returns what became of them, in words for the user.
+std::string set_aside(const std::filesystem::path& file, const std::string& why) {
+    std::error_code error;
+    std::filesystem::path aside;
+    for (int number = 1; aside.empty() || std::filesystem::exists(aside, error); ++number)
+        aside = file.parent_path() / fmt::format("experiment-unreadable-{}.toml", number);
+    std::filesystem::rename(file, aside, error);
+    return fmt::format(
+        "The settings of last time cannot be read, so the defaults are used. They are kept in {}; "
+        "mend them there and open that file. {}",
+        (error ? file : aside).string(), why);
+}
+
 }  // namespace
 
 std::string write_view(const ViewState& view) {
@@ -149,8 +166,14 @@ Remembered recall(const std::filesystem::path& folder, const EvolutionKinds& kin
     if (folder.empty()) return remembered;
     if (const auto view = read_file(folder / "view.conf", kMostBytes))
         remembered.view = parse_view(*view);
-    if (auto settings = load_settings(folder / "experiment.toml", kinds))
-        remembered.settings = std::move(*settings);
+    std::error_code unknown;
+    if (std::filesystem::exists(settings_in(folder), unknown)) {
+        if (auto settings = load_settings(settings_in(folder), kinds)) {
+            remembered.settings = std::move(*settings);
+        } else {
+            remembered.fault = set_aside(settings_in(folder), settings.error().message);
+        }
+    }
     if (auto path = read_file(folder / "experiment.path", kMostBytes))
         remembered.experiment = std::move(*path);
     if (const auto cluster = read_file(folder / "cluster.conf", kMostBytes))
@@ -170,7 +193,7 @@ Status remember(const std::filesystem::path& folder, const Remembered& remembere
     if (Status status = write_file(folder / "cluster.conf", write_cluster(remembered.cluster));
         !status)
         return status;
-    return save_settings(folder / "experiment.toml", remembered.settings, kinds);
+    return save_settings(settings_in(folder), remembered.settings, kinds);
 }
 
 std::filesystem::path own_experiment(const std::filesystem::path& folder) {

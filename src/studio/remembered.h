@@ -20,11 +20,14 @@ struct Remembered {
     ExperimentSettings settings;
     std::string experiment;  // file of the open experiment; empty for the folder's own
     ClusterMemory cluster;
+    // What became of settings that could not be read, in words for the user; empty if they could.
+    std::string fault = {};
 
     friend bool operator==(const Remembered&, const Remembered&) = default;
 };
 
-// Reads the state from a folder; missing or damaged parts have their defaults.
+// Reads the state from a folder; missing or damaged parts have their defaults. A settings file that
+// cannot be read gets another name, so that it is not overwritten.
 Remembered recall(const std::filesystem::path& folder, const EvolutionKinds& kinds);
 // Writes the state to a folder, which it creates if necessary.
 Status remember(const std::filesystem::path& folder, const Remembered& remembered,

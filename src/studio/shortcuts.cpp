@@ -178,7 +178,7 @@ constexpr std::array kShortcuts = {
              simply<ToggleMachines>},
     Shortcut{{GLFW_KEY_F12}, "F12", "Save a picture of the window", simply<SaveScreenshot>, true},
     Shortcut{{GLFW_KEY_F1}, "F1", "Help", simply<ToggleHelp>},
-    Shortcut{{GLFW_KEY_ESCAPE}, "Esc", "Close the open card", close_what_is_open, true},
+    Shortcut{{GLFW_KEY_ESCAPE}, "Esc", "Close the open menu or card", close_what_is_open, true},
     Shortcut{{GLFW_KEY_Q, true}, "Ctrl+Q", "Quit", simply<QuitStudio>, true},
 };
 
@@ -537,7 +537,8 @@ std::string keys_text() {
         "|\n| `Page Up`, `Page Down` | Come closer, or go farther away |\n\nIn the filter of the "
         "settings, `Enter` goes "
         "to the value of the first setting found and `Esc` clears it. Among the samples, arrows "
-        "choose and `Enter` opens.\n",
+        "choose and `Enter` opens. `Tab` and `Shift+Tab` go from control to control, and `Enter` "
+        "presses the one with the ring.\n",
         table_of(shortcuts()), table_of(picking_shortcuts()), table_of(preserve_shortcuts()));
 }
 

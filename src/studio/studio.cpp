@@ -4,6 +4,7 @@
 #include "core/threads/thread_pool.h"
 #include "pictures/card_picture.h"
 #include "render/renderer.h"
+#include "studio/files/typed_path.h"
 #include "studio/host/frame_log.h"
 #include "studio/host/imgui_host.h"
 #include "studio/main_window.h"
@@ -12,7 +13,9 @@
 #include "studio/probe/screen_report.h"
 #include "studio/shortcuts.h"
 #include "studio/studio_controller.h"
+#include "studio/widgets/keyboard_focus.h"
 
+#include <GLFW/glfw3.h>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -129,18 +132,21 @@ private:
         if (host_.context().theme != controller_.view().theme)
             host_.set_theme(controller_.view().theme);
         const std::vector<KeyPress> pressed = window_.take_keys();
-        host_.begin_frame(pressed);
-        const bool typing = ImGuiHost::typing();
+        const bool typing = host_.begin_frame(pressed, !context.world_shown());
         for (const KeyPress& press : pressed) {
             controller_.feedback().log().write("pressed",
                                                {{"key", static_cast<double>(press.key)}});
-            press_shortcut(press, typing, context, requests);
+            const bool taken = (press.key == GLFW_KEY_ESCAPE && ImGuiHost::close_popup()) ||
+                               (press.key == GLFW_KEY_ENTER && control_focused());
+            if (!taken) press_shortcut(press, typing, context, requests);
         }
         for (const std::filesystem::path& path : window_.take_dropped_files())
             controller_.files().carry_out(LoadFile{path});
         if (options_.viewer)
             window_.set_title(context.viewer.playback.exhibit().title + " – Cambrian");
         main_window_.draw(context, requests);
+        const std::string complaint = host_.take_complaint();
+        if (!complaint.empty()) controller_.feedback().tell(NoticeKind::kProblem, complaint);
         const PictureOrders orders = controller_.files().take_orders();
         if (orders.plot) keep_plot(*orders.plot, context);
         host_.end_frame();
@@ -157,7 +163,7 @@ private:
     // A picture that was just taken may still be without a file, so its number is never reused.
     void keep_picture(std::filesystem::path path) {
         while (path.empty() || std::filesystem::exists(path))
-            path = fmt::format("cambrian-{}.png", ++pictures_);
+            path = pictures_folder() / fmt::format("cambrian-{}.png", ++pictures_);
         controller_.files().save_picture(std::filesystem::absolute(path), picture());
     }
 
@@ -167,8 +173,7 @@ private:
         auto image = host_.picture(width, height, [&](ImDrawList& list) {
             draw_timeline_picture(
                 list, {0, 0, static_cast<float>(width), static_cast<float>(height)},
-                context.experiment.snapshot, context.view.quantity,
-                goal_unit(context.experiment.snapshot.settings->goal, context.kinds.goals));
+                context.experiment.snapshot, context.view.quantity, context.kinds.goals);
         });
         if (!image) return controller_.feedback().tell(NoticeKind::kProblem, image.error().message);
         controller_.files().save_picture(std::filesystem::absolute(request.path),

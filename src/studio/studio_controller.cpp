@@ -13,9 +13,15 @@ struct StudioController::Router {
     StudioController& self;
 
     void operator()(const ViewerRequest& request) const {
+        if (std::holds_alternative<EditGenes>(request)) self.experiment_.forget_new_run();
         if (!self.picking_.take_over(request)) self.viewer_.carry_out(request);
     }
-    void operator()(const ExperimentRequest& request) const { self.experiment_.carry_out(request); }
+    void operator()(const ExperimentRequest& request) const {
+        if (!std::holds_alternative<UndoEdit>(request) || !self.experiment_.new_run_last())
+            return self.experiment_.carry_out(request);
+        self.experiment_.forget_new_run();
+        self.files_.carry_out(OpenPreviousRun{});
+    }
     void operator()(const GenerationsRequest& request) const {
         self.generations_.carry_out(request);
     }
@@ -50,6 +56,7 @@ StudioController::StudioController(const Remembered& remembered, const Evolution
       memory_(
           {view_, experiment_.open().editor().draft(), remembered.experiment, remembered.cluster}) {
     machines_.begin(remembered.cluster);
+    if (!remembered.fault.empty()) services_.feedback.tell(NoticeKind::kProblem, remembered.fault);
 }
 
 void StudioController::remember_in(const std::filesystem::path& folder) {
@@ -66,7 +73,7 @@ void StudioController::reopen_last() {
 
 void StudioController::keep_memory() {
     const OpenExperiment& experiment = std::as_const(experiment_).open();
-    memory_.keep({view_, experiment.editor().draft(),
+    memory_.keep({view_, experiment.editor().settled(),
                   files_.reopening() ? memory_.experiment() : experiment.files().chosen().string(),
                   machines_.memory()},
                  services_.shared);

@@ -1,5 +1,7 @@
 #include "core/text/pretty_text.h"
 
+#include "core/text/code_points.h"
+#include "core/text/shown_score.h"
 #include "support/catch.h"
 
 #include <limits>
@@ -44,6 +46,21 @@ TEST_CASE("times count up in minutes and hours", "[core][pretty_text]") {
     CHECK(pretty_time(3.2) == "0:04");
     CHECK(pretty_time(750.0) == "12:30");
     CHECK(pretty_time(7500.0) == "2 h 05");
+}
+
+TEST_CASE("scores have three decimals and never powers of ten", "[core][pretty_text]") {
+    CHECK(shown_score(0.5, "BL/s") == "0.500 BL/s");
+    CHECK(shown_score(1.25, "") == "1.250");
+    CHECK(shown_score(9.63e-4, "m") == "0.001 m");
+    CHECK(shown_score(-1e-9, "m") == "0.000 m");
+    CHECK(shown_score(-0.0456, "m") == "−0.046 m");
+    CHECK(shown_score(12345678.25, "m") == "12 345 678.250 m");
+    CHECK(shown_score(std::numeric_limits<double>::quiet_NaN(), "m") == "–");
+}
+
+TEST_CASE("a name of several lines is shown on one", "[core][pretty_text]") {
+    CHECK(on_one_line("a\nb\tc\x7f") == "a b c ");
+    CHECK(on_one_line("Größe") == "Größe");
 }
 
 }  // namespace

@@ -165,7 +165,7 @@ TEST_CASE("a score is shown only with the trial that it was computed from", "[pi
     score(0);
     const auto own = subject_of(document, settings, "", test::kinds());
     REQUIRE(own);
-    CHECK(own->fitness == "42 BL/s");
+    CHECK(own->fitness == "42.000 BL/s");
     CHECK(own->verified == false);
     score(own->trial.record.digest);
     CHECK(subject_of(document, settings, "", test::kinds()).value().verified == true);

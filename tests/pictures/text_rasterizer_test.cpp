@@ -3,6 +3,8 @@
 #include "support/catch.h"
 
 #include <algorithm>
+#include <set>
+#include <vector>
 
 namespace cambrian {
 namespace {
@@ -58,6 +60,24 @@ TEST_CASE("text that is not UTF-8 is still drawn", "[pictures][text_rasterizer]"
         CHECK(image.rgb != black(80, 40).rgb);
         CHECK(text_rasterizer().width(broken, Typeface::kRegular, 24) > 0.0);
     }
+}
+
+TEST_CASE("letters that the typeface lacks come from the system's others",
+          "[pictures][text_rasterizer]") {
+    // The three letters of Georgian are of different widths; the box for missing ones has one
+    // width.
+    std::vector<double> widths;
+    for (const char* letter : {"ა", "ჩ", "ო"})
+        widths.push_back(text_rasterizer().width(letter, Typeface::kRegular, 24));
+    CHECK(std::set<double>(widths.begin(), widths.end()).size() > 1);
+    const auto files = files_with({0x10D0, 0x0416, 0x10FFFF}, Typeface::kStrong);
+    std::size_t letters = 0;
+    for (const LettersOfFile& each : files) {
+        CHECK(std::filesystem::exists(each.file.path));
+        CHECK(TextRasterizer::can_read(each.file));
+        letters += each.letters.size();
+    }
+    CHECK(letters == 2);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cambrian {
 namespace {
@@ -95,6 +96,31 @@ TEST_CASE("where edges meet, creatures near them are drawn and picked on both si
     CHECK(resident_at(wrapped, {0.0, 0.0}, 0.1) == 0);
     CHECK(image_near(wrapped.area, {19.0, 0.0}, {-19.0, 1.0}) == Vec2(-21.0, 0.0));
     CHECK(image_near(walled.area, {19.0, 0.0}, {-19.0, 1.0}) == Vec2(19.0, 0.0));
+}
+
+TEST_CASE("the plants of a meadow stand on the ground, from wherever they are seen",
+          "[pictures][preserve]") {
+    PreservePicture picture;
+    picture.area = {60.0, 8.0, true};
+    Pellet plant;
+    plant.x = 3.0;
+    plant.y = 0.4;
+    picture.plants = {plant};
+    for (const double pixels_per_metre : {5.0, 50.0, 300.0}) {
+        Camera camera;
+        camera.center = {3.0, 0.2};
+        camera.pixels_per_metre = pixels_per_metre;
+        SceneFrame frame;
+        add_world(frame, palette_of(ThemeKind::kDark), camera, {800.0, 500.0}, picture, {});
+        const bool stands =
+            std::any_of(frame.shapes.begin(), frame.shapes.end(), [&](const Shape& shape) {
+                return std::fabs(shape.center.x() - 3.0) < 1e-9 &&
+                       std::fabs(shape.center.y() - 0.2) < 1e-9 && shape.half_extents.x() >= 0.2 &&
+                       2.0 * shape.half_extents.y() * pixels_per_metre >= 1.0;
+            });
+        INFO(pixels_per_metre);
+        CHECK(stands);
+    }
 }
 
 }  // namespace

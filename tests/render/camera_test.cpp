@@ -69,5 +69,20 @@ TEST_CASE("following closes in on its target without overshooting", "[render][ca
     CHECK(distance < 0.01);
 }
 
+TEST_CASE("what is kept in view moves the camera as little as is needed", "[render][camera]") {
+    Camera camera;  // sees 8 m across and 6 m up
+    const auto keep = [&](const Vec2& low, const Vec2& high) {
+        camera.keep_in_view({low, high}, 0.05, kView);
+    };
+    keep({-1.0, -1.0}, {1.0, 1.0});
+    CHECK(camera.center == Vec2(0.0, 0.0));
+    keep({9.0, -1.0}, {10.0, 1.0});
+    const double half = 0.45 * kView.width * camera.pixel();
+    CHECK(camera.center.x() == Approx(10.0 - half));
+    CHECK(camera.center.y() == 0.0);
+    keep({-100.0, 0.0}, {100.0, 1.0});
+    CHECK(camera.center.x() == Approx(0.0).margin(1e-12));
+}
+
 }  // namespace
 }  // namespace cambrian

@@ -1,5 +1,6 @@
 #include "studio/remembered.h"
 
+#include "core/files/file_io.h"
 #include "support/catch.h"
 #include "support/kinds.h"
 #include "support/temporary_directory.h"
@@ -51,6 +52,21 @@ TEST_CASE("missing or damaged state gives the defaults", "[studio][remembered]")
     const Remembered found = recall(folder.path(), test::kinds());
     CHECK(found.view.speed == 1.0);
     CHECK(found.settings == ExperimentSettings{});
+}
+
+TEST_CASE("settings that cannot be read keep their bytes under a name that a notice tells",
+          "[studio][remembered]") {
+    const TemporaryDirectory folder;
+    const std::string bytes = "[environment]\ngravity = \"heavy\"\n";
+    for (const char* aside : {"experiment-unreadable-1.toml", "experiment-unreadable-2.toml"}) {
+        put_text(folder / "experiment.toml", bytes);
+        const Remembered found = recall(folder.path(), test::kinds());
+        CHECK_THAT(found.fault,
+                   Catch::Contains((folder / aside).string()) && Catch::Contains("gravity"));
+        REQUIRE(remember(folder.path(), found, test::kinds()));
+        CHECK(*read_file(folder / aside, 1000) == bytes);
+        CHECK(recall(folder.path(), test::kinds()).fault.empty());
+    }
 }
 
 }  // namespace

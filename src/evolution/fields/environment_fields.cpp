@@ -1,5 +1,8 @@
 #include "evolution/fields/setting_table.h"
 
+#include <algorithm>
+#include <initializer_list>
+
 namespace cambrian::setting_table {
 namespace {
 
@@ -79,21 +82,36 @@ void add_light(TableBuilder& world) {
     add_jumps(world);
 }
 
+// Returns whether random creatures may get one of these sensors.
+bool senses(const Settings& settings, std::initializer_list<const char*> channels) {
+    return std::any_of(channels.begin(), channels.end(), [&](const char* channel) {
+        const auto found = settings.founders.channels.find(channel);
+        return found != settings.founders.channels.end() && found->second;
+    });
+}
+
+bool hears(const Settings& settings) {
+    return senses(settings, {"sound-1", "sound-2", "sound-3", "sound-4"});
+}
+
+bool smells(const Settings& settings) {
+    return senses(settings, {"smell", "smell-food", "smell-flesh"});
+}
+
 // Switches for comparisons, which do not change what creatures are made of.
 void add_missing_senses(TableBuilder& world) {
-    world
-        .flag(
-            "deafness", "Deafness",
-            "Sensors of sound read 0. This is for comparisons of evolution with and without "
-            "hearing.",
-            [](Settings & s) -> auto& { return s.world.environment.deaf; })
-        .later = true;
-    world
-        .flag(
-            "anosmia", "No sense of smell",
-            "Sensors of smell read 0. This is for comparisons of evolution with and without smell.",
-            [](Settings & s) -> auto& { return s.world.environment.scentless; })
-        .later = true;
+    later(world.flag(
+              "deafness", "Deafness",
+              "Sensors of sound read 0. This is for comparisons of evolution with and without "
+              "hearing.",
+              [](Settings & s) -> auto& { return s.world.environment.deaf; }),
+          hears);
+    later(world.flag(
+              "anosmia", "No sense of smell",
+              "Sensors of smell read 0. This is for comparisons of evolution with and without "
+              "smell.",
+              [](Settings & s) -> auto& { return s.world.environment.scentless; }),
+          smells);
 }
 
 }  // namespace

@@ -5,10 +5,12 @@
 #include "pictures/canvas/text_rasterizer.h"
 
 #include "core/files/file_io.h"
+#include "core/text/code_points.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <stb/stb_truetype.h>
 #include <vector>
 
@@ -17,27 +19,6 @@ namespace {
 
 constexpr std::size_t kMaxFontBytes = 32'000'000;
 constexpr std::string_view kEllipsis = "…";
-
-// Returns the code points of UTF-8 text; an invalid byte becomes a question mark.
-std::vector<int> code_points(std::string_view text) {
-    std::vector<int> points;
-    for (std::size_t i = 0; i < text.size();) {
-        const auto lead = static_cast<unsigned char>(text[i]);
-        const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-        const bool broken = (lead >= 0x80 && lead < 0xC0) || i + length > text.size();
-        if (broken) {
-            points.push_back('?');
-            ++i;
-            continue;
-        }
-        int point = length == 1 ? lead : lead & (0x7F >> length);
-        for (std::size_t k = 1; k < length; ++k)
-            point = point << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3F);
-        points.push_back(point);
-        i += length;
-    }
-    return points;
-}
 
 // Returns the index at which the last complete character of UTF-8 text begins.
 std::size_t last_letter(std::string_view text) {
@@ -85,39 +66,75 @@ void stamp(Image& image, const Stencil& stencil, const Color& color) {
 struct TextRasterizer::Face {
     std::string bytes;
     stbtt_fontinfo font{};
+    Typeface typeface = Typeface::kRegular;
+    std::string path;  // of a face of other scripts
+    // The faces of letters that this one lacks, null where there is none.
+    mutable std::map<int, std::shared_ptr<const Face>> others;
 
+    static std::unique_ptr<Face> read(const FontFile& file) {
+        auto face = std::make_unique<Face>();
+        Result<std::string> bytes = read_file(file.path, kMaxFontBytes);
+        if (!bytes) return nullptr;
+        face->bytes = std::move(*bytes);
+        const auto* data = reinterpret_cast<const unsigned char*>(face->bytes.data());
+        const int start = stbtt_GetFontOffsetForIndex(data, file.face);
+        return start >= 0 && stbtt_InitFont(&face->font, data, start) != 0 ? std::move(face)
+                                                                           : nullptr;
+    }
     static std::unique_ptr<Face> load(Typeface typeface) {
         for (const std::filesystem::path& file : installed_files(typeface)) {
-            auto face = std::make_unique<Face>();
-            Result<std::string> bytes = read_file(file, kMaxFontBytes);
-            if (!bytes) continue;
-            face->bytes = std::move(*bytes);
-            const auto* data = reinterpret_cast<const unsigned char*>(face->bytes.data());
-            if (stbtt_InitFont(&face->font, data, stbtt_GetFontOffsetForIndex(data, 0)) != 0)
+            if (auto face = read({file})) {
+                face->typeface = typeface;
                 return face;
+            }
         }
         return nullptr;
+    }
+    bool has(int letter) const { return stbtt_FindGlyphIndex(&font, letter) != 0; }
+    // Returns the face that draws a letter: this one or, where it lacks the letter, another one of
+    // the system's, if there is one.
+    const Face& of(int letter) const {
+        constexpr int first = 0xA0;  // those before are in every font or are no letters
+        if (letter < first || has(letter)) return *this;
+        const auto known = others.find(letter);
+        if (known != others.end()) return known->second ? *known->second : *this;
+        std::shared_ptr<const Face>& other = others[letter];
+        const auto files = files_with({letter}, typeface);
+        if (files.empty()) return *this;
+        const std::string from = files.front().file.path.string();
+        for (const auto& [_, each] : others) {
+            if (each && each->path == from) other = each;
+        }
+        if (!other) {
+            std::unique_ptr<Face> face = read(files.front().file);
+            if (face) face->path = from;
+            other = std::move(face);
+        }
+        return other ? *other : *this;
     }
     float scale(double size) const {
         return stbtt_ScaleForPixelHeight(&font, static_cast<float>(size));
     }
-    // Calls visit(letter, x) for each letter, with x in pixels from the first. Returns the end of
-    // the last one.
+    // Calls visit(face, letter, x) for each letter, with x in pixels from the first. Returns the
+    // end of the last one.
     template <class Visit>
     float set(std::string_view text, double size, Visit visit) const {
-        const float per_unit = scale(size);
         float x = 0.0F;
         int before = 0;
+        const Face* face_before = this;
         for (const int letter : code_points(text)) {
-            if (before != 0)
+            const Face& face = of(letter);
+            const float per_unit = face.scale(size);
+            if (before != 0 && face_before == &face)
                 x += per_unit *
-                     static_cast<float>(stbtt_GetCodepointKernAdvance(&font, before, letter));
-            visit(letter, x);
+                     static_cast<float>(stbtt_GetCodepointKernAdvance(&face.font, before, letter));
+            visit(face, letter, x);
             int advance = 0;
             int bearing = 0;
-            stbtt_GetCodepointHMetrics(&font, letter, &advance, &bearing);
+            stbtt_GetCodepointHMetrics(&face.font, letter, &advance, &bearing);
             x += per_unit * static_cast<float>(advance);
             before = letter;
+            face_before = &face;
         }
         return x;
     }
@@ -160,16 +177,19 @@ Result<std::unique_ptr<TextRasterizer>> TextRasterizer::load() {
     return result;
 }
 
+bool TextRasterizer::can_read(const FontFile& file) {
+    return Face::read(file) != nullptr;
+}
+
 double TextRasterizer::width(std::string_view text, Typeface typeface, double size) const {
-    return static_cast<double>(face(typeface).set(text, size, [](int, float) {}));
+    return static_cast<double>(face(typeface).set(text, size, [](const Face&, int, float) {}));
 }
 
 void TextRasterizer::draw(Image& image, double x, double y, std::string_view text,
                           Typeface typeface, double size, const Color& color) const {
-    const Face& letters = face(typeface);
-    const float per_unit = letters.scale(size);
-    letters.set(text, size, [&](int letter, float from) {
-        stamp(image, letters.stencil(letter, per_unit, x + static_cast<double>(from), y), color);
+    face(typeface).set(text, size, [&](const Face& letters, int letter, float from) {
+        stamp(image, letters.stencil(letter, letters.scale(size), x + static_cast<double>(from), y),
+              color);
     });
 }
 

@@ -15,11 +15,13 @@
 
 namespace cambrian {
 
-// Draws text in the regular and the strong typeface.
+// Draws text in the regular and the strong typeface, and letters that these lack in others.
 class TextRasterizer {
 public:
     // Fails if no typeface is installed.
     static Result<std::unique_ptr<TextRasterizer>> load();
+    // Returns whether the outlines of a font file can be read.
+    static bool can_read(const FontFile& file);
     ~TextRasterizer();
     TextRasterizer(const TextRasterizer&) = delete;
     TextRasterizer& operator=(const TextRasterizer&) = delete;

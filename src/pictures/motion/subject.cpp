@@ -1,6 +1,8 @@
 #include "pictures/motion/subject.h"
 
+#include "core/text/code_points.h"
 #include "core/text/pretty_text.h"
+#include "core/text/shown_score.h"
 #include "evolution/evaluation/trials.h"
 
 #include <memory>
@@ -16,9 +18,9 @@ bool of_the_score(const CreatureDocument& document, const ExperimentSettings& se
 
 std::string fitness_of(const CreatureDocument& document, const ExperimentSettings& settings,
                        const TrialRecord& record, const GoalKind& goal) {
-    if (of_the_score(document, settings)) return measured(document.score(), document.notes.unit);
+    if (of_the_score(document, settings)) return shown_score(document.score(), document.notes.unit);
     if (record.outcome != Outcome::kCompleted) return std::string(outcome_name(record.outcome));
-    return measured(goal.score(record).value, goal.unit);
+    return shown_score(goal.score(record).value, goal.unit);
 }
 
 }  // namespace
@@ -42,7 +44,7 @@ Result<Subject> subject_of(const CreatureDocument& document, const ExperimentSet
     Subject subject;
     subject.creature = document.creature;
     subject.creature.settings = std::make_shared<const ExperimentSettings>(settings);
-    subject.name = document.genome().name.empty() ? title : document.genome().name;
+    subject.name = on_one_line(document.genome().name.empty() ? title : document.genome().name);
     subject.mass = trial->record.mass;
     if (const GoalKind* goal = kinds.goals.find(settings.goal)) {
         subject.goal = goal->label;

@@ -18,7 +18,9 @@ constexpr double kPlantRadius = 0.07;   // m
 constexpr double kLeastDot = 1.6;       // pixels
 constexpr double kMostFlesh = 0.35;     // m
 constexpr double kFleshOfJoule = 0.05;  // m; radius of 1 J
-constexpr double kStalkWidth = 0.02;    // m
+constexpr double kStalkWidth = 0.035;   // m
+constexpr double kStalkPixels = 1.2;    // least width
+constexpr double kTuft = 0.07;          // m; of the leaves at a stalk's foot, to either side
 constexpr double kWallPixels = 3.0;
 const Color kPlantColor = color_of(0x2FA36B);
 const Color kPatchColor = color_of(0xE8C468);
@@ -172,9 +174,12 @@ void add_drawn_walls(SceneFrame& frame, const Palette& palette, const PreservePi
 void add_food(SceneFrame& frame, const Camera& camera, const PreservePicture& picture) {
     const double least = kLeastDot * camera.pixel();
     if (picture.area.has_ground) {
-        for (const Pellet& plant : picture.plants)
-            frame.add_line({plant.x, 0.0}, {plant.x, plant.y}, std::max(kStalkWidth, 0.5 * least),
-                           kStalkColor);
+        const double width = std::max(kStalkWidth, kStalkPixels * camera.pixel());
+        for (const Pellet& plant : picture.plants) {
+            frame.add_line({plant.x, 0.0}, {plant.x, plant.y}, width, kStalkColor);
+            for (const double side : {-kTuft, kTuft})
+                frame.add_line({plant.x, 0.0}, {plant.x + side, kTuft}, width, kStalkColor);
+        }
     }
     for (const Pellet& plant : picture.plants)
         frame.add_circle({plant.x, plant.y}, std::max(kPlantRadius, least), kPlantColor);

@@ -23,7 +23,8 @@ struct EditSettings {
 };
 // Ends an edit when the control is released; the engine then gets the draft.
 struct FinishEdit {};
-// Undoes the last edit of the displayed creature's genes or, if there is none, of the settings.
+// Goes back to the run before if a new run was the last thing done; otherwise undoes the last edit
+// of the displayed creature's genes or, if there is none, of the settings.
 struct UndoEdit {};
 struct RedoEdit {};
 // Starts a new run from generation 0 with the draft settings. The founders are the present
@@ -49,6 +50,7 @@ struct ExperimentView {
     const SettingsEditor& editor;
     unsigned find_asked = 0;    // number of FindSetting requests so far
     bool previous_run = false;  // whether an earlier run can be opened
+    bool new_run = false;       // whether a new run was the last thing done, and can be undone
 };
 
 }  // namespace cambrian

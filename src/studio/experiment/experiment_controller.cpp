@@ -6,9 +6,36 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace cambrian {
+
+namespace {
+
+void replace_first(std::string& text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    if (at != std::string::npos) text.replace(at, from.size(), to);
+}
+
+// Returns a message with the settings' labels, as the panel shows them, in place of their names in
+// files: "“Shortest part”: 1.6 is above “Longest part”, which is 0.08".
+std::string with_labels(std::string message, const std::vector<SettingField>& fields) {
+    const auto subject = std::find_if(fields.begin(), fields.end(), [&](const SettingField& each) {
+        return message.starts_with(fmt::format("[{}] {}:", each.table, each.key));
+    });
+    if (subject == fields.end()) return message;
+    replace_first(message, fmt::format("[{}] {}", subject->table, subject->key),
+                  fmt::format("“{}”", subject->label));
+    for (const SettingField& other : fields) {
+        if (other.table == subject->table)
+            replace_first(message, fmt::format(" {},", other.key),
+                          fmt::format(" “{}”,", other.label));
+    }
+    return message;
+}
+
+}  // namespace
 
 // Has one overload for each kind of request.
 struct ExperimentController::Handler {
@@ -27,6 +54,7 @@ struct ExperimentController::Handler {
     }
     void operator()(const EditSettings& request) const {
         const Environment before = self.experiment_.editor().draft().world.environment;
+        self.forget_new_run();
         self.experiment_.editor().edit(request.settings, request.field);
         self.follow_world(before);
         self.services_.feedback.log().write("edited", {{"field", request.field}});
@@ -42,22 +70,19 @@ struct ExperimentController::Handler {
         const EvolutionSnapshot& snapshot = self.experiment_.snapshot();
         std::vector<GenomePtr> founders;
         if (request.keep_population) founders = genomes_of(snapshot.population);
-        self.services_.feedback.report(self.experiment_.start_new_run(std::move(founders)));
-        self.services_.feedback.log().write("new run");
+        self.begin_run(std::move(founders));
     }
     void operator()(const StartFromShown&) const {
         const Playback& playback = self.viewer_.playback();
         if (playback.empty()) return;
-        self.services_.feedback.report(
-            self.experiment_.start_new_run({playback.exhibit().genome()}));
-        self.services_.feedback.log().write("new run");
+        self.begin_run({playback.exhibit().genome()});
     }
     void operator()(const DropStructuralEdits&) const {
         SettingsEditor& editor = self.experiment_.editor();
         editor.edit(with_live_fields(*self.experiment_.snapshot().settings, editor.draft(),
                                      self.experiment_.fields()),
                     "run");
-        editor.finish();
+        self.commit();
     }
     void operator()(const AddImmigrants& request) const {
         self.experiment_.send(request);
@@ -87,7 +112,8 @@ ExperimentView ExperimentController::facts() const {
             .progress = experiment_.progress(),
             .editor = experiment_.editor(),
             .find_asked = find_asked_,
-            .previous_run = !experiment_.files().before().empty()};
+            .previous_run = !experiment_.files().before().empty(),
+            .new_run = new_run_last()};
 }
 
 void ExperimentController::poll() {
@@ -118,8 +144,22 @@ void ExperimentController::show_random_creature() {
                   .title = "A random creature"});
 }
 
+void ExperimentController::begin_run(std::vector<GenomePtr> founders) {
+    const bool any = !experiment_.snapshot().history.empty();
+    const Status status = experiment_.start_new_run(std::move(founders));
+    if (!status) return services_.feedback.report(status);
+    services_.feedback.log().write("new run");
+    new_run_last_ = any;
+    if (any)
+        services_.feedback.tell(
+            NoticeKind::kDone, "A new run begins. The one before is kept; Ctrl+Z goes back to it.");
+}
+
 void ExperimentController::commit() {
-    services_.feedback.report(experiment_.commit());
+    const Status status = experiment_.commit();
+    if (!status)
+        services_.feedback.tell(NoticeKind::kProblem,
+                                with_labels(status.error().message, experiment_.fields()));
 }
 
 // A change of the environment acts on the displayed creature at once; other edits do not.

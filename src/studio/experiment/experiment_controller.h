@@ -30,12 +30,17 @@ public:
     // Ends the suspension; with `resume`, evolution continues if it was running before.
     void release(bool resume);
     void show_random_creature();
+    // Whether a new run was the last thing done, so that undoing means to open the run before.
+    bool new_run_last() const { return new_run_last_ && !experiment_.files().before().empty(); }
+    // Must be called when the user does something else that can be undone.
+    void forget_new_run() { new_run_last_ = false; }
 
     OpenExperiment& open() { return experiment_; }
     const OpenExperiment& open() const { return experiment_; }
 
 private:
     struct Handler;
+    void begin_run(std::vector<GenomePtr> founders);
     void commit();
     void change_draft(void (SettingsEditor::*change)());
     void follow_world(const Environment& before);
@@ -49,6 +54,7 @@ private:
     bool suspended_ = false;
     bool evolved_before_ = false;  // whether evolution ran when it was suspended
     bool resuming_ = false;        // was told to go on, which the snapshot does not show yet
+    bool new_run_last_ = false;
     unsigned find_asked_ = 0;
 };
 

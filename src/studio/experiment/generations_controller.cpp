@@ -78,9 +78,7 @@ void GenerationsController::log_finished() {
 void GenerationsController::follow_newest() {
     const EvolutionSnapshot& snapshot = experiment_.open().snapshot();
     const Playback& playback = viewer_.playback();
-    if (!view_.newest_champion || snapshot.champions.empty() ||
-        playback.creature().hold() != nullptr)
-        return;
+    if (!view_.newest_champion || snapshot.champions.empty() || viewer_.held()) return;
     const JudgedIndividual& newest = snapshot.champions.back();
     const bool first = playback.empty() || playback.exhibit().source != ExhibitSource::kChampion;
     const bool same = !first && playback.exhibit().genome() == newest.individual->genome;

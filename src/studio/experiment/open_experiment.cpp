@@ -78,7 +78,11 @@ void OpenExperiment::measure() {
 
 Status OpenExperiment::commit() {
     editor_.finish();
-    if (Status fault = check_settings(editor_.draft(), kinds_); !fault) return fault;
+    if (Status fault = check_settings(editor_.draft(), kinds_); !fault) {
+        while (editor_.can_undo() && !check_settings(editor_.draft(), kinds_))
+            editor_.refuse();
+        return Error{fault.error().message + ". The edit was taken back."};
+    }
     if (fresh()) {
         if (editor_.draft() == *snapshot_->settings) return {};
         start({});

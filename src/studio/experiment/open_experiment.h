@@ -49,6 +49,7 @@ public:
     // Sends a command to the engine, as soon as its inbox has room.
     void send(EngineCommand command);
     // Sends the draft to the engine: all settings while fresh(), otherwise the live ones only.
+    // Edits that make it contradict itself are taken back, and the error says why.
     Status commit();
     // Starts a new run with the draft settings from these founders or, if there are none, random
     // ones.

@@ -24,6 +24,13 @@ void SettingsEditor::edit(ExperimentSettings settings, const std::string& field)
     draft_ = std::move(settings);
 }
 
+void SettingsEditor::refuse() {
+    finish();
+    if (past_.empty()) return;
+    draft_ = std::move(past_.back());
+    past_.pop_back();
+}
+
 void SettingsEditor::undo() {
     if (past_.empty()) return;
     finish();

@@ -21,6 +21,12 @@ public:
     // drag, are one step to undo.
     void edit(ExperimentSettings settings, const std::string& field);
     void finish() { open_field_.clear(); }
+    // Returns the draft without the edit that is not finished.
+    const ExperimentSettings& settled() const {
+        return open_field_.empty() || past_.empty() ? draft_ : past_.back();
+    }
+    // Takes the last edit back, for good; does nothing if there is none.
+    void refuse();
     bool can_undo() const { return !past_.empty(); }
     bool can_redo() const { return !future_.empty(); }
     void undo();

@@ -77,4 +77,15 @@ const TimelinePlot& timeline_plot(TimelineQuantity quantity) {
     return timeline_plots()[static_cast<std::size_t>(quantity)];
 }
 
+std::string goal_in(const EvolutionSnapshot& snapshot, std::uint32_t generation) {
+    const auto& champions = snapshot.champions;
+    const auto found = std::lower_bound(champions.begin(), champions.end(), generation,
+                                        [](const JudgedIndividual& each, std::uint32_t wanted) {
+                                            return each.generation < wanted;
+                                        });
+    const bool known = found != champions.end() && found->generation == generation;
+    if (known) return found->settings->goal;
+    return snapshot.settings == nullptr ? std::string() : snapshot.settings->goal;
+}
+
 }  // namespace cambrian

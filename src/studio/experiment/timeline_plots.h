@@ -2,10 +2,13 @@
 
 // The quantities that the timeline can plot, each as one or two curves over the generations.
 
+#include "evolution/engine/snapshot.h"
 #include "evolution/individual/statistics.h"
 #include "studio/look/view_state.h"
 
+#include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace cambrian {
@@ -32,5 +35,8 @@ struct TimelinePlot {
 // Returns one plot for each TimelineQuantity, in its order.
 std::span<const TimelinePlot> timeline_plots();
 const TimelinePlot& timeline_plot(TimelineQuantity quantity);
+
+// Returns the goal by which a finished generation was judged, which may have changed since.
+std::string goal_in(const EvolutionSnapshot& snapshot, std::uint32_t generation);
 
 }  // namespace cambrian

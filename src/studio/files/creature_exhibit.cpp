@@ -1,5 +1,6 @@
 #include "studio/files/creature_exhibit.h"
 
+#include "core/text/code_points.h"
 #include "core/text/pretty_text.h"
 
 #include <utility>
@@ -30,7 +31,7 @@ Exhibit exhibit_of(const CreatureDocument& document, const ExperimentSettings& o
     exhibit.source = source;
     if (!document.scored() && !document.has_world())
         exhibit.creature.settings = std::make_shared<const ExperimentSettings>(otherwise);
-    exhibit.title = name.empty() ? capitalized(stem.substr(0, stem.find('.'))) : name;
+    exhibit.title = name.empty() ? capitalized(stem.substr(0, stem.find('.'))) : on_one_line(name);
     exhibit.ancestry = document.ancestry;
     exhibit.ticks = document.notes.ticks;
     return exhibit;

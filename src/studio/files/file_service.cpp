@@ -27,10 +27,10 @@ FileEvent prepared(CardOrder order, const EvolutionKinds& kinds, const std::stop
 
 FileEvent loaded_settings(const std::filesystem::path& path, const EvolutionKinds& kinds) {
     const Result<SettingsText> text = read_settings_text(path);
-    if (!text) return FileFailed{path, text.error().message};
+    if (!text) return FileFailed{path, text.error().message, true};
     const SettingsUse use = use_of_settings(text->text);
     Result<ExperimentSettings> settings = parse_settings(text->text, text->source, kinds, use);
-    if (!settings) return FileFailed{path, settings.error().message};
+    if (!settings) return FileFailed{path, settings.error().message, true};
     if (use == SettingsUse::kPreserve) return PreserveSettingsLoaded{path, *std::move(settings)};
     return SettingsLoaded{path, *std::move(settings)};
 }
@@ -49,24 +49,25 @@ FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kin
     if (name.ends_with(".json") || is_card_name(path)) {
         auto document = load_creature(path, kinds);
         if (document) return CreatureLoaded{path, std::move(*document)};
-        return FileFailed{path, document.error().message};
+        return FileFailed{path, document.error().message, true};
     }
     if (name.ends_with(".cambrian") && is_preserve_file(path)) {
         auto world = open_world(path, kinds);
         if (world) return PreserveLoaded{path, std::make_shared<OpenedWorld>(*std::move(world))};
-        return FileFailed{path, world.error().message};
+        return FileFailed{path, world.error().message, true};
     }
     if (name.ends_with(".cambrian")) {
         auto experiment = open_experiment(path, kinds);
         if (experiment)
             return ExperimentLoaded{path,
                                     std::make_shared<OpenedExperiment>(*std::move(experiment))};
-        return FileFailed{path, experiment.error().message};
+        return FileFailed{path, experiment.error().message, true};
     }
     return FileFailed{path,
                       path.string() +
                           " is not a file the studio opens; expected *.creature.json, a card "
-                          "*.png, an experiment or a preserve *.cambrian, or settings *.toml"};
+                          "*.png, an experiment or a preserve *.cambrian, or settings *.toml",
+                      true};
 }
 
 template <class Work>

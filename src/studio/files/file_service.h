@@ -60,6 +60,7 @@ struct FolderListed {
 struct FileFailed {
     std::filesystem::path path;
     std::string message;
+    bool reading = false;  // rather than writing
 };
 using FileEvent =
     std::variant<CreatureLoaded, SettingsLoaded, PreserveSettingsLoaded, ExperimentLoaded,

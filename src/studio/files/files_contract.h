@@ -52,7 +52,7 @@ struct SavePlotPicture {
     PictureSize size;
 };
 struct SaveScreenshot {
-    std::filesystem::path path;  // empty for a new name in the present folder
+    std::filesystem::path path;  // empty for a new name in the user's folder of pictures
 };
 struct ToggleSamples {};
 

@@ -30,13 +30,39 @@ std::string file_stem(const std::string& words) {
     return stem.empty() ? "creature" : stem;
 }
 
+// Returns the message without the codes of faults and warnings, "E01 ", which are for programs.
+std::string without_codes(const std::string& message) {
+    const auto is_digit = [](char letter) { return letter >= '0' && letter <= '9'; };
+    std::string words;
+    for (std::size_t i = 0; i < message.size(); ++i) {
+        const bool starts = i == 0 || message[i - 1] == ' ';
+        const bool code = starts && i + 3 < message.size() &&
+                          (message[i] == 'E' || message[i] == 'W') && is_digit(message[i + 1]) &&
+                          is_digit(message[i + 2]) && message[i + 3] == ' ';
+        if (code) {
+            i += 3;
+        } else {
+            words += message[i];
+        }
+    }
+    return words;
+}
+
 // Example: "Opened wanderer.creature.json. The first warning (2 more)".
 std::string opened_words(const std::filesystem::path& path,
                          const std::vector<std::string>& warnings) {
     std::string text = fmt::format("Opened {}.", path.filename().string());
-    if (!warnings.empty()) text += " " + warnings.front();
+    if (!warnings.empty()) text += " " + without_codes(warnings.front());
     if (warnings.size() > 1) text += fmt::format(" ({} more)", warnings.size() - 1);
     return text;
+}
+
+// Says what failed, where, and what can be done about it.
+std::string failure_words(const FileFailed& event) {
+    std::string words = without_codes(event.message);
+    if (!event.reading) return words;
+    if (!words.empty() && words.back() != '.') words += '.';
+    return words + " Nothing was opened: mend the file there, or open another one (Ctrl+O).";
 }
 
 }  // namespace
@@ -76,7 +102,7 @@ struct FilesController::Handler {
                         .document = std::move(document),
                         .title = exhibit.title,
                         .settings = exhibit.settings()};
-        if (exhibit.experiment != 0) order.generation = exhibit.individual().born;
+        if (exhibit.experiment != 0) order.generation = exhibit.creature.generation;
         self.file_service_.prepare_card(std::move(order));
     }
     void operator()(const SaveCell& request) const {
@@ -169,7 +195,8 @@ struct FilesController::Receiver {
     }
     void operator()(ExperimentLoaded& event) const {
         OpenExperiment& experiment = self.subjects_.experiment.open();
-        if (std::exchange(self.reopening_, false) && !experiment.fresh()) {
+        const bool reopened = std::exchange(self.reopening_, false);
+        if (reopened && !experiment.fresh()) {
             return feedback().tell(
                 NoticeKind::kProblem,
                 fmt::format(
@@ -185,6 +212,9 @@ struct FilesController::Receiver {
         self.view_.newest_champion = true;
         feedback().log().write("experiment", {{"path", event.path.string()},
                                               {"generations", static_cast<double>(generations)}});
+        // What was lost is more important than that the rest is there.
+        const Notice* present = feedback().notice();
+        if (reopened && present != nullptr && present->kind == NoticeKind::kProblem) return;
         feedback().tell(
             NoticeKind::kDone,
             fmt::format("The experiment is where it was left: {}. Press Evolve to go on.",
@@ -206,7 +236,7 @@ struct FilesController::Receiver {
     void operator()(const FileFailed& event) const {
         self.reopening_ = false;
         log("failed", event.path);
-        feedback().tell(NoticeKind::kProblem, event.message);
+        feedback().tell(NoticeKind::kProblem, failure_words(event));
     }
 };
 

@@ -1,6 +1,8 @@
 #include "studio/files/sample_library.h"
 
+#include "core/text/code_points.h"
 #include "core/text/pretty_text.h"
+#include "core/text/shown_score.h"
 #include "persist/creature/creature_card.h"
 #include "persist/creature/creature_file.h"
 
@@ -18,7 +20,7 @@ std::string account_of(const CreatureDocument& document, const EvolutionKinds& k
     const std::string& id = document.settings().goal;
     const GoalKind* goal = kinds.goals.find(id);
     const std::string name = goal == nullptr ? capitalized(id) : goal->label;
-    return fmt::format("{}, {}", name, measured(document.score(), document.notes.unit));
+    return fmt::format("{}, {}", name, shown_score(document.score(), document.notes.unit));
 }
 
 Sample read_sample(const std::filesystem::path& path, const EvolutionKinds& kinds) {
@@ -34,7 +36,7 @@ Sample read_sample(const std::filesystem::path& path, const EvolutionKinds& kind
     }
     const Genome& genome = document->genome();
     const ExperimentSettings& settings = document->settings();
-    if (!genome.name.empty()) sample.title = genome.name;
+    if (!genome.name.empty()) sample.title = on_one_line(genome.name);
     sample.account = account_of(*document, kinds);
     sample.hue = genome.hue;
     sample.phenotype = std::make_shared<const Phenotype>(

@@ -41,7 +41,7 @@ struct FrameContext {
         return goal_unit(experiment.snapshot.settings->goal, kinds.goals);
     }
     bool can_undo() const {
-        return experiment.editor.can_undo() ||
+        return experiment.new_run || experiment.editor.can_undo() ||
                (viewer.genes != nullptr && viewer.genes->can_undo());
     }
     bool can_redo() const {

@@ -4,6 +4,10 @@
 #include "render/opengl/gl.h"
 #include "studio/host/area_painting.h"
 #include "studio/host/window.h"
+#include "studio/widgets/keyboard_focus.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui_internal.h>
 
 #include <array>
 #include <backends/imgui_impl_glfw.h>
@@ -33,6 +37,8 @@ ImGuiHost::ImGuiHost(Window& window, float scale, ThemeKind theme) : window_(win
     context_.texture_of = [this](const auto& picture) { return textures_.of(picture); };
     set_theme(theme);
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
+    ImGui::GetIO().KeyMap[ImGuiKey_Tab] = -1;  // begin_focus_frame() handles it
+    use_clipboard();
     ImGui_ImplOpenGL3_Init("#version 330 core");
     // Renders all glyphs now, so that no frame waits for them.
     ImGui_ImplOpenGL3_CreateDeviceObjects();
@@ -44,13 +50,38 @@ ImGuiHost::~ImGuiHost() {
     ImGui::DestroyContext();
 }
 
+// In place of the back-end's functions, which wait for the owner of the clipboard.
+void ImGuiHost::use_clipboard() {
+    ImGuiIO& io = ImGui::GetIO();
+    io.ClipboardUserData = this;
+    io.SetClipboardTextFn = [](void* self, const char* text) {
+        static_cast<ImGuiHost*>(self)->clipboard_.put(text);
+    };
+    io.GetClipboardTextFn = [](void* self) {
+        auto& host = *static_cast<ImGuiHost*>(self);
+        host.pasted_ = host.clipboard_.text();
+        note_letters(host.pasted_);
+        return host.pasted_.c_str();
+    };
+}
+
 void ImGuiHost::set_theme(ThemeKind theme) {
     context_.theme = theme;
     context_.palette = palette_of(theme);
     apply_style(context_.palette, context_.scale);
 }
 
-void ImGuiHost::begin_frame(const std::vector<KeyPress>& pressed) {
+bool ImGuiHost::begin_frame(const std::vector<KeyPress>& pressed, bool tab_moves) {
+    for (const ImWchar typed : ImGui::GetIO().InputQueueCharacters) {
+        std::array<char, 5> letter{};
+        ImTextCharToUtf8(letter.data(), typed);
+        note_letters(letter.data());
+    }
+    if (context_.letters.load(context_.fonts)) {
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        ImGui_ImplOpenGL3_CreateFontsTexture();
+        changed_ = {};
+    }
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     bool* down = ImGui::GetIO().KeysDown;
@@ -59,9 +90,16 @@ void ImGuiHost::begin_frame(const std::vector<KeyPress>& pressed) {
         if (known(press.key)) down[press.key] = true;
     }
     ImGui::NewFrame();
+    // Dear ImGui's WantTextInput alone holds for one frame after a field was left.
+    const bool typing = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
+    int steps = 0;
     for (const KeyPress& press : pressed) {
         if (known(press.key)) down[press.key] = window_.key_down(press.key);
+        const bool moves = press.key == GLFW_KEY_TAB && !press.control && (tab_moves || typing);
+        if (moves) steps += press.shift ? -1 : 1;
     }
+    begin_focus_frame(steps);
+    return typing;
 }
 
 Result<Image> ImGuiHost::picture(int width, int height,
@@ -91,8 +129,11 @@ Result<Image> ImGuiHost::picture(int width, int height,
     return image;
 }
 
-bool ImGuiHost::typing() {
-    return ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
+bool ImGuiHost::close_popup() {
+    const int open = ImGui::GetCurrentContext()->OpenPopupStack.Size;
+    if (open == 0) return false;
+    ImGui::ClosePopupToLevel(open - 1, true);
+    return true;
 }
 
 void ImGuiHost::end_frame() {

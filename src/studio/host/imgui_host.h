@@ -6,10 +6,13 @@
 #include "render/opengl/pixels.h"
 #include "render/picture_stamp.h"
 #include "studio/host/changed_areas.h"
+#include "studio/host/clipboard.h"
 #include "studio/host/textures.h"
 #include "studio/look/ui_context.h"
 
 #include <functional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace cambrian {
@@ -25,25 +28,32 @@ public:
     ImGuiHost(const ImGuiHost&) = delete;
     ImGuiHost& operator=(const ImGuiHost&) = delete;
 
-    // Keys pressed since the last frame count even if they were released again.
-    void begin_frame(const std::vector<KeyPress>& pressed);
-    // Returns whether a text field gets the keys of this frame. Asked before the panels are drawn,
-    // it is exact; Dear ImGui's WantTextInput holds for one frame after a field was left.
-    static bool typing();
+    // Keys pressed since the last frame count even if they were released again. Tab goes from
+    // control to control unless something else is done with it.
+    // Returns whether a text field gets the keys of this frame.
+    bool begin_frame(const std::vector<KeyPress>& pressed, bool tab_moves);
+    // Closes the menu or pop-up that was opened last; returns false if there is none.
+    static bool close_popup();
     // Draws the frame into the window's framebuffer. Only changed areas are painted.
     void end_frame();
     // Draws a picture of its own on the panels' background colour. May be called only between
     // begin_frame() and end_frame().
     Result<Image> picture(int width, int height, const std::function<void(ImDrawList&)>& draw);
+    // Returns why a control refused what was typed, once; empty if none did.
+    std::string take_complaint() { return std::exchange(context_.complaint, {}); }
     void set_theme(ThemeKind theme);
     const UiContext& context() const { return context_; }
 
 private:
+    void use_clipboard();
+
     Window& window_;
     UiContext context_;
     Textures textures_;
     PictureStamp stamp_;
     ChangedAreas changed_;
+    Clipboard clipboard_;
+    std::string pasted_;  // the text that was asked of the clipboard last
 };
 
 }  // namespace cambrian

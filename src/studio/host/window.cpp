@@ -37,19 +37,42 @@ Window& owner_of(GLFWwindow* window) {
     return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
 
+// Returns the scale that the desktop tells, without checks.
+float told_scale() {
+    float scale = 0.0F;
+    float across = 0.0F;
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (monitor != nullptr) glfwGetMonitorContentScale(monitor, &scale, &across);
+    return scale;
+}
+
+// GLFW itself makes the window as many times larger as the desktop tells, unless that is not
+// usable.
 GLFWwindow* create_window(int width, int height, const std::string& title) {
+    const float told = told_scale();
+    const float scale = usable_scale(told);
+    const bool usable = scale == told;
+    const auto sized = [&](int units) {
+        return usable ? units : static_cast<int>(scale * static_cast<float>(units));
+    };
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, usable ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "cambrian");
-    return glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    return glfwCreateWindow(sized(width), sized(height), title.c_str(), nullptr, nullptr);
 }
 
 }  // namespace
+
+float usable_scale(float told) {
+    constexpr float least = 0.5F;
+    constexpr float most = 4.0F;
+    return told > 0.0F ? std::clamp(told, least, most) : 1.0F;
+}
 
 Result<std::unique_ptr<Window>> Window::open(int width, int height, const std::string& title) {
     if (glfwInit() != GLFW_TRUE) {
@@ -75,6 +98,7 @@ Result<std::unique_ptr<Window>> Window::open(int width, int height, const std::s
 Window::Window(GLFWwindow* window) : window_(window) {
     float across = 1.0F;
     glfwGetWindowContentScale(window_, &scale_, &across);
+    scale_ = usable_scale(scale_);
     glfwSwapInterval(1);
     limit_size();
     install_callbacks();

@@ -14,6 +14,10 @@ struct GLFWwindow;
 
 namespace cambrian {
 
+// Returns the scale to draw with (pixels per 1/96 inch) where the desktop tells `told`: at least
+// 0.5 and at most 4; 1 where it tells nothing usable.
+float usable_scale(float told);
+
 class Window {
 public:
     // Opens a window; width and height are in units of 1/96 inch. Fails without a display or

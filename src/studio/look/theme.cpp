@@ -12,12 +12,21 @@ namespace {
 constexpr std::array<ImWchar, 13> kGlyphs = {0x20,   0x24F,  0x370,  0x3FF,  0x2010, 0x2027, 0x2070,
                                              0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
 
-ImFont* add_face(Typeface typeface, float size) {
-    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+}  // namespace
+
+ImFontConfig face_config() {
     ImFontConfig config;
     config.OversampleH = 2;
     config.OversampleV = 1;
     config.PixelSnapH = true;
+    return config;
+}
+
+namespace {
+
+ImFont* add_face(Typeface typeface, float size) {
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    ImFontConfig config = face_config();
     for (const std::filesystem::path& file : installed_files(typeface)) {
         if (ImFont* font = atlas.AddFontFromFileTTF(file.c_str(), size, &config, kGlyphs.data())) {
             return font;

@@ -22,6 +22,8 @@ struct Fonts {
 // Sets the colours and spacing of Dear ImGui's own controls.
 void apply_style(const Palette& palette, float scale);
 
+// Returns how typefaces are rasterised.
+ImFontConfig face_config();
 // Adds the studio's typeface to the font atlas: Inter or, without it, another installed one.
 Fonts load_fonts(float scale);
 

@@ -4,6 +4,7 @@
 // ImGui's io.UserData points to it, so that drawing code needs no global variable.
 
 #include "core/image.h"
+#include "studio/look/foreign_letters.h"
 #include "studio/look/theme.h"
 
 #include <imgui.h>
@@ -13,6 +14,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 struct ImGuiWindow;
 
@@ -42,23 +45,37 @@ struct NotedPlace {
     int frame = 0;            // number of the frame in which it was drawn
 };
 
-// A number that is being typed into a slider.
-struct TypedNumber {
+// What is being typed into a slider.
+struct TypedText {
     ImGuiID slider = 0;
-    double value = 0.0;
+    std::string text;
+    bool changed = false;  // differs from the slider's value as shown
+};
+
+// The control that the keyboard has reached with Tab (widgets/keyboard_focus.h).
+struct KeyboardFocus {
+    ImGuiID control = 0;                 // 0 for none
+    bool text = false;                   // it is a text field
+    bool arrived = false;                // it was reached in this frame
+    std::vector<ImGuiID> stops;          // the controls of this frame so far, in the order drawn
+    const ImGuiWindow* layer = nullptr;  // the window whose controls alone count; null for all
 };
 
 struct UiContext {
     ThemeKind theme = ThemeKind::kDark;
     Palette palette = palette_of(ThemeKind::kDark);
     Fonts fonts;
+    ForeignLetters letters;
     float scale = 1.0F;
     // By name; read by tests, the tour and the status log.
     std::map<std::string, NotedPlace> places;
     // The item under the mouse and the time since when (s), for the delay of tooltips.
     ImVec2 hovered = {-1.0F, -1.0F};
     double hovered_since = 0.0;
-    std::optional<TypedNumber> typed;
+    std::optional<TypedText> typed;
+    KeyboardFocus focus;
+    // Why the last text typed into a control was refused; empty if none was.
+    std::string complaint;
     // Returns a picture's texture; empty where nothing is painted.
     std::function<ImTextureID(const std::shared_ptr<const Image>&)> texture_of;
 };
@@ -74,6 +91,10 @@ inline const Palette& colors() {
 }
 inline ImU32 paint(const Color& color) {
     return pack(color);
+}
+// Must be told of texts of files and of the user, so that letters of other scripts are loaded.
+inline void note_letters(std::string_view text) {
+    ui().letters.note(text, *ui().fonts.body);
 }
 // Records the position of the item just drawn, or of a part of the window being drawn.
 void note_place(const std::string& name);

@@ -205,6 +205,7 @@ struct PreserveController::Handler : WorldTools {
     void operator()(const ShowWorld&) const { self.tools_.single = false; }
     void operator()(const FitWorld&) const {
         self.tools_.follow = false;
+        self.tools_.near = false;
         ++self.tools_.fits_asked;
     }
     void operator()(const ToggleEnergyRings&) const {
@@ -258,6 +259,7 @@ void PreserveController::update() {
                                 .energy = tools_.energy,
                                 .single = tools_.single,
                                 .opening = open_ == nullptr,
+                                .near = tools_.near,
                                 .fits_asked = tools_.fits_asked,
                                 .wall = tools_.wall,
                                 .plot = tools_.plot,
@@ -361,6 +363,7 @@ void PreserveController::open(OpenedWorld opened) {
     tools_.single = false;
     tools_.follow = false;
     tools_.piece = 0;
+    tools_.near = picture_->area.has_ground;
     ++tools_.fits_asked;
     services_.feedback.log().write(
         "preserve", {{"on", true},

@@ -73,6 +73,7 @@ private:
         bool single = false;
         bool card_open = false;
         PlanPreserve plan;  // of the card
+        bool near = false;
         unsigned fits_asked = 0;
     };
     void send(PreserveCommand command);

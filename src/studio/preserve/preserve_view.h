@@ -43,7 +43,10 @@ struct PreserveView {
     bool energy = false;             // a ring around each creature shows its store
     bool single = false;             // the viewer shows one creature instead of the world
     bool opening = false;            // another world is being read
-    unsigned fits_asked = 0;         // number of FitWorld requests so far
+    // Whether the view is fitted to most of the creatures rather than to the world, which on a
+    // meadow is many times wider than high.
+    bool near = false;
+    unsigned fits_asked = 0;  // number of FitWorld requests so far
     WallTool wall = {};
     std::size_t plot = 0;  // index of the one shown
     WorldList list = WorldList::kLineages;

@@ -42,6 +42,8 @@ struct ReleaseNeuron {
 struct ShowHighlight {
     Highlight highlight;
 };
+// Says that the user is busy with the displayed creature, which therefore stays in the next frame.
+struct HoldShown {};
 struct ShowExhibit {
     std::shared_ptr<const Exhibit> exhibit;
 };
@@ -56,7 +58,7 @@ struct FinishGeneEdit {};
 using ViewerRequest =
     std::variant<TogglePlayback, RestartPlayback, StepPlayback, StepPlaybackBack, SeekPlayback,
                  FitView, PokePart, ReleasePoke, ForceNeuron, ReleaseNeuron, ShowHighlight,
-                 ShowExhibit, EditGenes, FinishGeneEdit>;
+                 HoldShown, ShowExhibit, EditGenes, FinishGeneEdit>;
 
 struct ViewerView {
     const Playback& playback;

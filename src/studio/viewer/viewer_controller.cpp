@@ -52,6 +52,7 @@ struct ViewerController::Handler {
     void operator()(const ShowHighlight& request) const {
         self.facts_.highlight.join(request.highlight);
     }
+    void operator()(const HoldShown&) const { self.attended_ = true; }
     void operator()(const ShowExhibit& request) const {
         self.view_.newest_champion = false;
         self.show(*request.exhibit);
@@ -125,6 +126,12 @@ bool ViewerController::step_gene_edit(void (GeneEditor::*step)(), const char* ne
     services_.feedback.log().write(news);
     show_edited();
     return true;
+}
+
+bool ViewerController::held() const {
+    const PlayedCreature& creature = viewer_.playback().creature();
+    if (creature.empty()) return false;
+    return attended_ || creature.hold() != nullptr || !creature.replay().forced().empty();
 }
 
 double ViewerController::shown_for() const {

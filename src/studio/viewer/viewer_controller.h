@@ -17,9 +17,12 @@ public:
 
     // Must be called once a frame unless the viewport is hidden; plays on by `elapsed` seconds.
     void update(double elapsed, const EvolutionSnapshot& snapshot);
-    // Must be called before a frame's requests, since a highlight lasts one frame. It is also of
-    // one creature only.
-    void clear_highlight() { facts_.highlight = {}; }
+    // Must be called before a frame's requests, since a highlight lasts one frame, as does the
+    // user's attention. A highlight is also of one creature only.
+    void clear_highlight() {
+        facts_.highlight = {};
+        attended_ = false;
+    }
     void carry_out(const ViewerRequest& request);
     ViewerView facts() const;
 
@@ -33,6 +36,9 @@ public:
 
     const Playback& playback() const { return viewer_.playback(); }
     const ScoreReport* score() const { return viewer_.score(); }
+    // Whether the user is at work on the displayed creature, so that no other one may replace it by
+    // itself: pulls it, forces a neuron, or has the pointer in its controls.
+    bool held() const;
     double shown_for() const;  // s since the creature was displayed
     bool animating() const;    // whether the next frame differs without input
 
@@ -48,6 +54,7 @@ private:
     GeneEditor genes_;  // edits of the displayed creature
     Ghosts ghosts_;
     ViewerView facts_;
+    bool attended_ = false;     // the pointer is in the creature's controls
     double shown_since_ = 0.0;  // s; time at which the creature was displayed
 };
 

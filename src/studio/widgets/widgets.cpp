@@ -1,5 +1,9 @@
 #include "studio/widgets/widgets.h"
 
+#include "studio/widgets/keyboard_focus.h"
+
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -73,14 +77,16 @@ bool push_button(const std::string& label, const ButtonStyle& style) {
     const bool pressed = ImGui::InvisibleButton(label.c_str(), button_size(label, style));
     note_place(label);
     draw_button(label, style, button_colors(style, ImGui::IsItemHovered(), ImGui::IsItemActive()));
+    const bool entered = focus_stop();
     if (style.tooltip != nullptr) tooltip(style.tooltip);
-    return pressed && style.enabled;
+    return (pressed || entered) && style.enabled;
 }
 
 bool toggle_switch(const std::string& label, bool& on) {
     const ImVec2 size = {px(38), px(22)};
-    const bool pressed = ImGui::InvisibleButton(label.c_str(), size);
+    bool pressed = ImGui::InvisibleButton(label.c_str(), size);
     note_place(label);
+    pressed |= focus_stop();
     if (pressed) on = !on;
     const Palette& p = colors();
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -97,8 +103,9 @@ bool toggle_switch(const std::string& label, bool& on) {
 
 bool tick_box(const std::string& label, Tick tick) {
     const float side = px(18);
-    const bool pressed = ImGui::InvisibleButton(label.c_str(), {side, side});
+    bool pressed = ImGui::InvisibleButton(label.c_str(), {side, side});
     note_place(label);
+    pressed |= focus_stop();
     const Palette& p = colors();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 low = ImGui::GetItemRectMin();
@@ -151,8 +158,12 @@ bool begin_choice(const char* id, const std::string& shown, float width) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::SetNextItemWidth(width);
     const std::string fitting = fit_text(shown, width - choice_width(""));
+    const ImGuiID combo = ImGui::GetID(id);
     const bool open = ImGui::BeginCombo(id, fitting.c_str(), ImGuiComboFlags_NoArrowButton);
-    if (!open) {
+    if (open) {
+        begin_focus_layer();
+    } else {
+        if (focus_stop()) ImGui::OpenPopupEx(ImHashStr("##ComboPopup", 0, combo));
         draw_icon(*ImGui::GetWindowDrawList(), Icon::kChevronDown,
                   {at.x + width - px(15), at.y + 0.5F * ImGui::GetFrameHeight()}, px(10),
                   colors().muted);
@@ -169,7 +180,9 @@ float choice_width(const std::string& shown) {
 bool menu_item(const char* label, const char* keys, bool enabled, bool chosen) {
     const bool pressed = ImGui::MenuItem(label, keys, chosen, enabled);
     note_place(label);
-    return pressed;
+    if (!focus_stop() || !enabled) return pressed;
+    ImGui::CloseCurrentPopup();
+    return true;
 }
 
 void caption(const std::string& text) {
@@ -194,6 +207,7 @@ void section(const char* title) {
 }
 
 void fact(const std::string& label, const std::string& value) {
+    note_letters(value);
     const float left = ImGui::GetCursorPosX();
     const float right = left + ImGui::GetContentRegionAvail().x;
     {
@@ -214,6 +228,7 @@ void fact(const std::string& label, const std::string& value) {
 }
 
 void muted_text(const std::string& text) {
+    note_letters(text);
     const WithFont font(ui().fonts.small);
     const WithTextColor color(colors().muted);
     ImGui::PushTextWrapPos(0.0F);
@@ -244,6 +259,7 @@ void set_up_column(const char* title, float width) {
 void tooltip(const std::string& text) {
     constexpr double delay = 0.45;  // s under the mouse before a tooltip appears
     if (!ImGui::IsItemHovered() || ImGui::GetIO().MouseDown[0]) return;
+    note_letters(text);
     const ImVec2 low = ImGui::GetItemRectMin();
     UiContext& context = ui();
     if (context.hovered.x != low.x || context.hovered.y != low.y) {
@@ -269,6 +285,7 @@ void tooltip(const std::string& text) {
 }
 
 std::string fit_text(const std::string& text, float width) {
+    note_letters(text);
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
     std::string cut = text;
     while (!cut.empty() && ImGui::CalcTextSize((cut + "…").c_str()).x > width) {

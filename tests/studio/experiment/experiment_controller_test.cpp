@@ -172,5 +172,58 @@ TEST_CASE("the run before is opened from wherever it was kept", "[studio][experi
     }
 }
 
+TEST_CASE("an edit that makes limits cross is taken back and never stored",
+          "[studio][experiment]") {
+    StudioRun run;
+    const auto draft = [&] { return run.studio.frame_context().experiment.editor.draft(); };
+    run.studio.remember_in(run.folder.path() / "state");
+    const ExperimentSettings before = draft();
+    ExperimentSettings crossed = before;
+    crossed.founders.min_length = 1.5;
+    crossed.founders.max_length = 0.4;
+    run.ask(EditSettings{crossed, "body.min-length"});
+    CHECK(run.studio.frame_context().experiment.editor.settled() == before);
+    run.ask(FinishEdit{});
+    CHECK(draft() == before);
+    run.studio.update(0.0, 0.0);
+    const Notice* notice = run.studio.frame_context().window.notice;
+    REQUIRE(notice != nullptr);
+    CHECK_THAT(notice->text, Catch::StartsWith("“") && Catch::Contains("taken back") &&
+                                 !Catch::Contains("min-length") && !Catch::Contains("["));
+    run.ask(RedoEdit{});
+    CHECK(draft() == before);
+}
+
+TEST_CASE("undoing a new run goes back to the run before", "[studio][experiment]") {
+    StudioRun run;
+    run.studio.remember_in(run.folder.path() / "state");
+    test::finish_generations(run, 2);
+    const auto experiment = [&] {
+        return run.studio.frame_context().experiment.snapshot.experiment;
+    };
+    const auto before = experiment();
+    run.ask(StartNewRun{});
+    REQUIRE(run.frames_until([&] { return experiment() == before + 1; }));
+    CHECK(run.champions() == 0);
+    CHECK(run.studio.frame_context().can_undo());
+    run.ask(UndoEdit{});
+    REQUIRE(run.frames_until([&] { return experiment() == before + 2; }));
+    CHECK(run.champions() == 2);
+    CHECK_FALSE(run.studio.frame_context().can_undo());
+}
+
+TEST_CASE("an edit after a new run is undone before it", "[studio][experiment]") {
+    StudioRun run;
+    test::finish_generations(run, 1);
+    run.ask(StartNewRun{});
+    ExperimentSettings edited = run.studio.frame_context().experiment.editor.draft();
+    const int size = edited.population.size;
+    edited.population.size = size + 3;
+    run.ask(EditSettings{edited, "population.size"});
+    run.ask(FinishEdit{});
+    run.ask(UndoEdit{});
+    CHECK(run.studio.frame_context().experiment.editor.draft().population.size == size);
+}
+
 }  // namespace
 }  // namespace cambrian

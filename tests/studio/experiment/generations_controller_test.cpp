@@ -130,5 +130,40 @@ TEST_CASE("a displayed champion has its line of descent", "[studio][generations]
           frame.experiment.snapshot.champions[3].individual->mother.get());
 }
 
+TEST_CASE("a newer champion waits while the user is at work on the one displayed",
+          "[studio][generations]") {
+    StudioRun run;
+    finish_generations(run, 1);
+    const GenomePtr first = shown_in(run).genome();
+    const auto wait = [&] {
+        for (int i = 0; i < 20; ++i) {
+            run.studio.update(1000.0 + i, 0.001);
+            run.ask(HoldShown{});
+        }
+    };
+    SECTION("with the pointer in its controls") {
+        run.ask(HoldShown{});
+        for (std::size_t count = 2; count <= 6; ++count) {
+            finish_generations(run, count);
+            run.ask(HoldShown{});
+        }
+        wait();
+        CHECK(shown_in(run).genome() == first);
+    }
+    SECTION("after forcing a neuron") {
+        if (run.studio.frame_context()
+                .viewer.playback.creature()
+                .phenotype()
+                .network.neurons.empty())
+            return;
+        run.ask(ForceNeuron{0, 1.0});
+        for (std::size_t count = 2; count <= 6; ++count)
+            finish_generations(run, count);
+        for (int i = 0; i < 20; ++i)
+            run.studio.update(1000.0 + i, 0.001);
+        CHECK(shown_in(run).genome() == first);
+    }
+}
+
 }  // namespace
 }  // namespace cambrian

@@ -123,7 +123,8 @@ TEST_CASE("loading a creature reports its kinds that the experiment has not enab
     run.ask(LoadFile{std::string(CAMBRIAN_SOURCE_DIR) +
                      "/tests/persist/creatures/W04_linear_joint.creature.json"});
     REQUIRE(run.frames_until([&] { return run.studio.frame_context().window.notice != nullptr; }));
-    CHECK_THAT(run.studio.frame_context().window.notice->text, Catch::Contains("W04 "));
+    CHECK_THAT(run.studio.frame_context().window.notice->text,
+               Catch::Contains("\"linear\"") && !Catch::Contains("W04"));
 }
 
 TEST_CASE("a creature saved as a card is drawn by the window and can be loaded",
@@ -161,6 +162,29 @@ TEST_CASE("a file that cannot be opened is a notice and changes nothing", "[stud
     CHECK(notice.kind == NoticeKind::kProblem);
     CHECK(notice.text.find("broken.creature.json") != std::string::npos);
     CHECK(run.studio.frame_context().viewer.playback.empty());
+}
+
+TEST_CASE("a card's generation is the one of its title", "[studio][files]") {
+    StudioRun run;
+    const auto survivor = [&]() -> const JudgedIndividual* {
+        for (const JudgedIndividual& each :
+             run.studio.frame_context().experiment.snapshot.champions) {
+            if (each.individual->born < each.generation) return &each;
+        }
+        return nullptr;
+    };
+    for (std::size_t count = 1; count <= 20 && survivor() == nullptr; ++count)
+        finish_generations(run, count);
+    REQUIRE(survivor() != nullptr);
+    const std::uint32_t generation = survivor()->generation;
+    run.ask(ShowChampion{generation});
+    run.ask(SaveCreatureFile{run.folder.path() / "old.card.png"});
+    std::optional<PreparedCard> card;
+    REQUIRE(run.frames_until([&] {
+        if (!card) card = run.studio.files().take_orders().card;
+        return card.has_value();
+    }));
+    CHECK(card->subject.generation == generation);
 }
 
 }  // namespace

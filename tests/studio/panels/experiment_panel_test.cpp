@@ -332,5 +332,24 @@ TEST_CASE("before the first generation no edit needs a new run", "[studio][exper
     CHECK_FALSE(run.gui.has("New run"));
 }
 
+TEST_CASE("senses can be taken away beside them, once creatures may have them",
+          "[studio][experiment_panel]") {
+    PanelRun run;
+    run.click("group body.sensors");
+    run.frame();
+    CHECK_FALSE(run.gui.has("environment.deafness"));
+    CHECK_FALSE(run.gui.has("environment.anosmia"));
+    ExperimentSettings hearing = run.studio.editor().draft();
+    hearing.founders.channels["sound-3"] = true;
+    run.studio.editor().replace(hearing);
+    run.frame();
+    CHECK(run.gui.place("environment.deafness").y > run.gui.place("group body.sensors").y);
+    CHECK_FALSE(run.gui.has("environment.anosmia"));
+    hearing.founders.channels["smell"] = true;
+    run.studio.editor().replace(hearing);
+    run.frame();
+    CHECK(run.gui.place("environment.anosmia").y > run.gui.place("group body.sensors").y);
+}
+
 }  // namespace
 }  // namespace cambrian

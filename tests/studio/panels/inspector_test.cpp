@@ -1,3 +1,4 @@
+#include "panel_press.h"
 #include "studio/panels/inspector/ancestry_tab.h"
 #include "studio/panels/inspector/brain_tab.h"
 #include "studio/panels/inspector/energy_tab.h"
@@ -206,6 +207,19 @@ TEST_CASE("mutations are described by operator and change", "[studio][inspector]
     CHECK(operator_words({"edited", "", "", ""}, kinds) == "Edited by hand");
     CHECK(change_words({"", "", "0.5", "0.62"}) == "0.5 → 0.62");
     CHECK(change_words({"", "", "", "neuron"}) == "neuron");
+}
+
+TEST_CASE("the creature on display is held while the pointer is in the inspector's controls",
+          "[studio][inspector]") {
+    test::PanelRun<InspectorPanel> run(400.0F, 700.0F);
+    run.studio.show_crawler();
+    run.gui.move_to({200.0F, 10.0F});  // the title
+    run.frame();
+    run.frame();
+    CHECK_FALSE(test::was_asked<HoldShown>(run.out));
+    run.gui.move_to({200.0F, 300.0F});
+    run.frame();
+    CHECK(test::was_asked<HoldShown>(run.out));
 }
 
 }  // namespace

@@ -217,5 +217,22 @@ TEST_CASE("a creature's origin is described in words", "[studio][population]") {
     CHECK(words.find("and 2 more mutations") != std::string::npos);
 }
 
+TEST_CASE("the list goes to its top when another run begins", "[studio][population]") {
+    PopulationRun run(640, 180, 200);
+    const auto scrolled = [&] {
+        for (int i = 0; i < 4; ++i)
+            run.frame();
+        return !run.gui.has("tile 0") || run.gui.place("tile 0").y < 0.0F;
+    };
+    run.frame();
+    show(run.studio, creature_at(run.studio, 150));
+    run.press_key(ImGuiKey_DownArrow);
+    run.gui.forget_places();
+    REQUIRE(scrolled());
+    ++run.studio.snapshot().experiment;
+    run.gui.forget_places();
+    CHECK_FALSE(scrolled());
+}
+
 }  // namespace
 }  // namespace cambrian

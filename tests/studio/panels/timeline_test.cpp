@@ -136,7 +136,8 @@ TEST_CASE("every quantity draws, in the panel and as a picture", "[studio][timel
             ImDrawList list(ImGui::GetDrawListSharedData());
             list._ResetForNewFrame();
             list.PushClipRect({0, 0}, {1280, 720});
-            draw_timeline_picture(list, {0, 0, 1280, 720}, studio.snapshot(), plot.quantity, "m");
+            draw_timeline_picture(list, {0, 0, 1280, 720}, studio.snapshot(), plot.quantity,
+                                  test::kinds().goals);
             CHECK(list.VtxBuffer.Size > 100);
             for (const ImDrawVert& vertex : list.VtxBuffer) {
                 CHECK(vertex.pos.x >= 0.0F);
@@ -221,6 +222,36 @@ TEST_CASE("the row under the mouse is the nearest generation's", "[studio][timel
     CHECK(chart.row_at(scale, 106) == 1);
     CHECK(chart.row_at(scale, 200) == 10);
     CHECK(chart.row_at(scale, 900) == 20);
+}
+
+TEST_CASE("another goal starts a new piece of the curve on a scale of its own",
+          "[studio][timeline]") {
+    NullImGui gui;
+    test::StudioFixture studio;
+    const auto judge_by = [&](const char* goal) {
+        ExperimentSettings settings = *studio.snapshot().settings;
+        settings.goal = goal;
+        studio.snapshot().settings = std::make_shared<const ExperimentSettings>(settings);
+    };
+    judge_by("walking");
+    for (const double best : {10.0, 20.0, 30.0})
+        studio.finish_generation(best);
+    judge_by("seeking");
+    studio.finish_generation(0.25);
+    studio.finish_generation(0.5);
+    judge_by("jumping");  // no generation has been judged by it yet
+    CHECK(goal_in(studio.snapshot(), 2) == "walking");
+    CHECK(goal_in(studio.snapshot(), 4) == "seeking");
+    TimelineChart chart;
+    chart.gather(studio.snapshot(), TimelineQuantity::kFitness);
+    CHECK(chart.piece_count() == 2);
+    const PlotScale whole = chart.scale_for({0, 0, 100, 100});
+    CHECK(whole.y_high < 1.0);
+    CHECK(chart.scale_at(whole, 2).y_high > 30.0);
+    CHECK(chart.scale_at(whole, 3).y_high == whole.y_high);
+    CHECK(chart.scale_at(whole, 2).x_at(2.0) == whole.x_at(2.0));
+    chart.gather(studio.snapshot(), TimelineQuantity::kParts);
+    CHECK(chart.piece_count() == 1);
 }
 
 }  // namespace

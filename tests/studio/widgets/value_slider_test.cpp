@@ -2,6 +2,8 @@
 
 #include "support/null_imgui.h"
 
+#include <utility>
+
 namespace cambrian {
 namespace {
 
@@ -37,7 +39,8 @@ public:
 private:
     static void slider(const char* name, double& value) {
         ImGui::PushID(name);
-        value_slider(value, {.range = {0.0, 10.0}, .width = 200.0F});
+        value_slider(value,
+                     {.range = {0.0, 10.0}, .width = 200.0F, .allowed = SliderRange{0.0, 100.0}});
         note_place(name);
         ImGui::PopID();
     }
@@ -70,6 +73,29 @@ TEST_CASE("a number typed into one slider never reaches another", "[studio][valu
     sliders.press_at("second", true);
     CHECK(sliders.first == 3.0);
     CHECK(sliders.second == 7.0);
+}
+
+TEST_CASE("a typed number is understood completely or refused", "[studio][value_slider]") {
+    TwoSliders sliders;
+    sliders.frame();
+    const auto type = [&](const char* text) {
+        sliders.press_at("first", true);
+        sliders.type(text);
+        sliders.gui.hold_key(ImGuiKey_Enter, true);
+        sliders.frame();
+        sliders.gui.hold_key(ImGuiKey_Enter, false);
+        sliders.frame();
+        return std::exchange(ui().complaint, {});
+    };
+    CHECK(type("1,5").empty());
+    CHECK(sliders.first == 1.5);
+    CHECK(type("0x10") == "“0x10” is not a number. The value stays as it was.");
+    CHECK(sliders.first == 1.5);
+    CHECK(type("1,500") != "");
+    CHECK(sliders.first == 1.5);
+    CHECK(type("101") == "101 is not allowed here; 0 to 100 is. The value stays as it was.");
+    CHECK(type("99").empty());
+    CHECK(sliders.first == 99.0);
 }
 
 }  // namespace

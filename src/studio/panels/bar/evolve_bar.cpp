@@ -1,6 +1,8 @@
 #include "studio/panels/bar/evolve_bar.h"
 
 #include "core/text/pretty_text.h"
+#include "core/text/shown_score.h"
+#include "studio/experiment/timeline_plots.h"
 #include "studio/panels/bar/bar_reading.h"
 #include "studio/panels/bar/main_menu.h"
 #include "studio/panels/bar/preserve_bar.h"
@@ -24,8 +26,10 @@ std::string done_words(const FrameContext& frame) {
 }
 
 std::string best_text(const FrameContext& frame) {
-    if (frame.experiment.snapshot.history.empty()) return "–";
-    return measured(frame.experiment.snapshot.history.back().best, frame.unit_of_goal());
+    const EvolutionSnapshot& snapshot = frame.experiment.snapshot;
+    if (snapshot.history.empty()) return "–";
+    const GenerationStatistics& last = snapshot.history.back();
+    return shown_score(last.best, goal_unit(goal_in(snapshot, last.generation), frame.kinds.goals));
 }
 
 }  // namespace

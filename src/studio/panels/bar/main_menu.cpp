@@ -3,6 +3,7 @@
 #include "studio/look/overlays.h"
 #include "studio/panels/generations/export_menu.h"
 #include "studio/panels/viewport/viewport_tools.h"
+#include "studio/widgets/keyboard_focus.h"
 #include "studio/widgets/widgets.h"
 
 #include <array>
@@ -174,6 +175,7 @@ void draw_main_menu(const FrameContext& frame, Requests& out) {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(10), px(8)));
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(18), px(8)));
         if (ImGui::BeginPopup(menu.title)) {
+            begin_focus_layer();
             menu.draw(frame, out);
             ImGui::EndPopup();
         }

@@ -45,11 +45,16 @@ bool draw_extent(ComparisonDraft& draft) {
     const float width = 0.25F * (ImGui::GetContentRegionAvail().x - 2.0F * px(kFieldGap));
     bool changed =
         number_field("Runs of each", "Each run has a seed of its own: 1, 2, 3…", draft.seeds,
-                     {.range = {1, ComparisonDraft::kMostSeeds}, .width = width});
+                     {.range = {1, ComparisonDraft::kMostSeeds},
+                      .width = width,
+                      .allowed = SliderRange{1, ComparisonDraft::kMostSeeds}});
     next_in_row(row, width);
     changed |= number_field(
         "Trials of a run", "A run ends with the generation that reaches them", draft.trials,
-        {.range = {ComparisonDraft::kFewestTrials, 100'000}, .logarithmic = true, .width = width});
+        {.range = {ComparisonDraft::kFewestTrials, 100'000},
+         .logarithmic = true,
+         .width = width,
+         .allowed = SliderRange{ComparisonDraft::kFewestTrials, ComparisonDraft::kMostTrials}});
     draft.seeds = std::clamp(draft.seeds, 1, ComparisonDraft::kMostSeeds);
     draft.trials =
         std::clamp(draft.trials, ComparisonDraft::kFewestTrials, ComparisonDraft::kMostTrials);

@@ -2,6 +2,8 @@
 
 #include "persist/creature/creature_card.h"
 #include "studio/files/file_service.h"
+#include "studio/files/typed_path.h"
+#include "studio/widgets/keyboard_focus.h"
 #include "studio/widgets/widgets.h"
 
 #include <algorithm>
@@ -30,10 +32,6 @@ const char* title_of(FileTask task) {
             return "Export the plot";
     }
     return "Save the settings";
-}
-
-bool is_creature_name(std::string_view name) {
-    return name.ends_with(kCreatureEnding) || is_card_name(name);
 }
 
 // Replaces the ending of a creature file or card by another one.
@@ -81,9 +79,7 @@ void FilePanel::draw(const FrameContext& frame, Requests& out) {
     const FileBrowser& files = frame.files.browser;
     if (opening_ != files.opened) {
         opening_ = files.opened;
-        write_name(files.suggested_name);
-        warned_.clear();
-        focus_wanted_ = true;
+        begin_name(files.suggested_name);
     }
     {
         const WithFont font(ui().fonts.title);
@@ -143,13 +139,29 @@ void FilePanel::draw_format() {
     focus_wanted_ = true;
 }
 
+// Offers a name to type over.
+void FilePanel::begin_name(const std::string& name) {
+    write_name(name);
+    warned_.clear();
+    refused_.clear();
+    focus_wanted_ = true;
+}
+
 void FilePanel::write_name(const std::string& name) {
     name_.fill('\0');
     name.copy(name_.data(), name_.size() - 1);
 }
 
-// Draws the caption of the name, or the warning that a file would be replaced.
-void FilePanel::draw_caption(const std::filesystem::path& path) const {
+// Draws the caption of the name, why it was refused, or the warning that a file would be replaced.
+void FilePanel::draw_caption(const TypedPath& typed) const {
+    if (!refused_.empty() && refused_ == name_.data() && !typed.fault.empty()) {
+        const WithTextColor danger(colors().danger);
+        const WithFont font(ui().fonts.small);
+        ImGui::TextUnformatted(fit_text(typed.fault, ImGui::GetContentRegionAvail().x).c_str());
+        note_place("name refused");
+        return;
+    }
+    const std::filesystem::path& path = typed.path;
     if (warned_.empty() || path != warned_) return caption("File name, or a path");
     constexpr const char* words = " exists. Press Save again to replace it.";
     const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(words).x;
@@ -160,7 +172,7 @@ void FilePanel::draw_caption(const std::filesystem::path& path) const {
 }
 
 void FilePanel::draw_name(const FrameContext& frame, Requests& out) {
-    draw_caption(named_path(frame.files.browser));
+    draw_caption(typed_path(frame.files.browser, name_.data()));
     if (focus_wanted_) ImGui::SetKeyboardFocusHere();
     focus_wanted_ = false;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
@@ -168,6 +180,7 @@ void FilePanel::draw_name(const FrameContext& frame, Requests& out) {
         ImGui::InputText("##name", name_.data(), name_.size(),
                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     note_place("file name");
+    focus_stop_for_text();
     const bool saving = frame.files.browser.task != FileTask::kOpen;
     const char* verb = saving ? "Save" : "Open";
     const bool named = name_[0] != '\0';
@@ -179,20 +192,21 @@ void FilePanel::draw_name(const FrameContext& frame, Requests& out) {
     if ((entered || pressed) && named) confirm(frame, out);
 }
 
-std::filesystem::path FilePanel::named_path(const FileBrowser& files) const {
-    std::filesystem::path path = files.listing.folder / name_.data();
-    const std::string_view ending = ending_of(files.task);
-    const bool complete =
-        path.string().ends_with(ending) ||
-        (files.task == FileTask::kSaveCreature && is_creature_name(path.string()));
-    if (files.task != FileTask::kOpen && !complete) path += ending;
-    return path;
-}
-
-// Asks to save or open. A file that would be replaced needs a second Save.
+// Asks to save or open. A folder is entered instead, and a file that would be replaced needs a
+// second Save.
 void FilePanel::confirm(const FrameContext& frame, Requests& out) {
     const FileBrowser& files = frame.files.browser;
-    const std::filesystem::path path = named_path(files);
+    const TypedPath typed = typed_path(files, name_.data());
+    const std::filesystem::path& path = typed.path;
+    if (!typed.fault.empty()) {
+        refused_ = name_.data();
+        focus_wanted_ = true;
+        return;
+    }
+    if (typed.folder) {
+        out.ask(ListFolder{path});
+        return begin_name(files.suggested_name);
+    }
     if (path != warned_ && would_replace(files, path)) {
         warned_ = path;
         focus_wanted_ = true;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "studio/files/typed_path.h"
 #include "studio/frame/panel.h"
 
 #include <array>
@@ -19,14 +20,15 @@ private:
     void draw_entries(const FrameContext& frame, Requests& out);
     void draw_format();
     void draw_name(const FrameContext& frame, Requests& out);
+    void begin_name(const std::string& name);
     void write_name(const std::string& name);
-    void draw_caption(const std::filesystem::path& path) const;
-    std::filesystem::path named_path(const FileBrowser& files) const;
+    void draw_caption(const TypedPath& typed) const;
     void confirm(const FrameContext& frame, Requests& out);
 
     unsigned opening_ = 0;  // the value of FileBrowser::opened when the fields were reset last
     std::array<char, 1024> name_{};  // typed file name
     std::filesystem::path warned_;   // existing file that the next Save replaces
+    std::string refused_;            // the name that was refused last
     bool focus_wanted_ = false;
 };
 

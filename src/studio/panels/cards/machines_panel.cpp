@@ -3,6 +3,7 @@
 #include "core/text/pretty_text.h"
 #include "studio/machines/machine_words.h"
 #include "studio/panels/cards/card_title.h"
+#include "studio/widgets/keyboard_focus.h"
 #include "studio/widgets/widgets.h"
 
 #include <fmt/core.h>
@@ -157,6 +158,8 @@ ClusterLogin MachinesPanel::typed() const {
     ClusterLogin login;
     for (std::size_t i = 0; i < kFields.size(); ++i)
         login.*kFields[i].place = texts_[i].data();
+    login.credentials = with_home(login.credentials).string();
+    login.authority = with_home(login.authority).string();
     return login;
 }
 
@@ -201,6 +204,7 @@ void MachinesPanel::draw_fields(const MachinesView& machines, Requests& out) {
                                             ImGuiInputTextFlags_EnterReturnsTrue);
         ImGui::PopID();
         note_place(kFields[i].label);
+        focus_stop_for_text();
         tooltip(kFields[i].help);
         ImGui::EndGroup();
     }

@@ -6,6 +6,7 @@
 #include "studio/frame/help_mark.h"
 #include "studio/panels/experiment/setting_row.h"
 #include "studio/panels/experiment/switch_group.h"
+#include "studio/widgets/keyboard_focus.h"
 #include "studio/widgets/widgets.h"
 
 #include <fmt/core.h>
@@ -40,7 +41,7 @@ constexpr std::array kGroups = {
     GroupName{"body", "Body and brain", false},
     GroupName{"body.joints", "Joints allowed", false},
     GroupName{"body.functions", "Neurons allowed", false},
-    GroupName{"body.sensors", "Sensors allowed", false},
+    GroupName{"body.sensors", "Senses", false},
     GroupName{"body.organs", "Organs allowed", false},
     GroupName{"body.references", "Links allowed", false},
     GroupName{"simulation", "Physics", false},
@@ -57,6 +58,15 @@ const GroupName* named(std::string_view table) {
 std::size_t rank_of(std::string_view table) {
     const GroupName* group = named(table);
     return group == nullptr ? kGroups.size() : static_cast<std::size_t>(group - kGroups.data());
+}
+
+// Returns the table whose group shows a setting: its own, except for senses that a world takes
+// away.
+std::string shown_table(const SettingField& field) {
+    constexpr std::array<std::string_view, 2> senses = {"deafness", "anosmia"};
+    const bool sense = field.table == "environment" &&
+                       std::find(senses.begin(), senses.end(), field.key) != senses.end();
+    return sense ? "body.sensors" : field.table;
 }
 
 void adopt_goal(ExperimentSettings& edited, const FrameContext& frame) {
@@ -136,12 +146,13 @@ std::vector<ExperimentPanel::Group> ExperimentPanel::list_groups(
     std::vector<Group> groups;
     for (const SettingField& field : frame.experiment.fields) {
         auto group = std::find_if(groups.begin(), groups.end(), [&field](const Group& each) {
-            return each.table == field.table;
+            return each.table == shown_table(field);
         });
         if (group == groups.end()) {
-            const GroupName* name = named(field.table);
-            groups.push_back({field.table, name != nullptr ? std::string(name->title)
-                                                           : capitalized(field.table)});
+            const std::string table = shown_table(field);
+            const GroupName* name = named(table);
+            groups.push_back(
+                {table, name != nullptr ? std::string(name->title) : capitalized(table)});
             group = groups.end() - 1;
         }
         if (!same_value(field, draft, defaults)) ++group->changed;
@@ -185,6 +196,7 @@ void ExperimentPanel::draw_filter(const FrameContext& frame) {
     const bool escaped = escape >= 0 && ImGui::IsKeyPressed(escape) &&
                          (ImGui::IsItemDeactivated() || ImGui::IsItemActive());
     note_place("setting filter");
+    focus_stop_for_text();
     // A tooltip would cover what is found.
     if (!any)
         tooltip(
@@ -211,7 +223,7 @@ void ExperimentPanel::draw_found(const std::vector<Group>& groups, const Setting
         bool titled = false;
         for (const SettingField& field : frame.experiment.fields) {
             const bool applies = !field.applies || field.applies(frame.experiment.editor.draft());
-            if (field.table != group.table || !applies || !filter.finds(field, group.title))
+            if (shown_table(field) != group.table || !applies || !filter.finds(field, group.title))
                 continue;
             if (!titled) caption(group.title);
             titled = true;
@@ -280,7 +292,7 @@ void ExperimentPanel::draw_group(const Group& group, const FrameContext& frame, 
     ImGui::PushID(group.table.c_str());
     draw_presets(group.table, frame, out);
     for (const SettingField& field : frame.experiment.fields) {
-        if (field.table != group.table || !field.group.empty()) continue;
+        if (shown_table(field) != group.table || !field.group.empty()) continue;
         if (!field.applies || field.applies(frame.experiment.editor.draft()))
             draw_row(field, frame, out);
     }

@@ -1,5 +1,6 @@
 #include "studio/panels/experiment/setting_row.h"
 
+#include "core/text/parsed_number.h"
 #include "core/text/pretty_text.h"
 #include "studio/experiment/settings_editor.h"
 #include "studio/widgets/widgets.h"
@@ -8,6 +9,7 @@
 #include <fmt/printf.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace cambrian {
@@ -71,8 +73,11 @@ float control_width(const SettingField& field, float full, float text) {
 template <class Number>
 bool number_slider(const SettingField& field, Number& value, double standard, float width) {
     const SliderRange range = slider_range(field, standard, static_cast<double>(value));
-    const bool edited =
-        value_slider(value, {range, field.logarithmic, number_pattern(range, field), width});
+    const bool edited = value_slider(value, {.range = range,
+                                             .logarithmic = field.logarithmic,
+                                             .pattern = number_pattern(range, field),
+                                             .width = width,
+                                             .allowed = SliderRange{field.low, field.high}});
     if (edited) {
         value = static_cast<Number>(std::clamp(static_cast<double>(value), field.low, field.high));
     }
@@ -81,10 +86,20 @@ bool number_slider(const SettingField& field, Number& value, double standard, fl
 
 bool whole_number_box(std::uint64_t& value, const SettingField& field, float width) {
     ImGui::SetNextItemWidth(width);
-    const bool edited = ImGui::InputScalar("##value", ImGuiDataType_U64, &value, nullptr, nullptr,
-                                           nullptr, ImGuiInputTextFlags_EnterReturnsTrue);
-    if (edited) value = std::min(value, static_cast<std::uint64_t>(field.high));
-    return edited;
+    std::array<char, 32> text{};
+    std::to_string(value).copy(text.data(), text.size() - 1);
+    if (!ImGui::InputText("##value", text.data(), text.size(),
+                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll))
+        return false;
+    const auto typed = parsed_number<std::uint64_t>(text.data());
+    if (!typed || static_cast<double>(*typed) > field.high) {
+        ui().complaint =
+            fmt::format("“{}” is not a whole number from 0 to {:.0f}. The value stays as it was.",
+                        text.data(), field.high);
+        return false;
+    }
+    value = *typed;
+    return true;
 }
 
 bool choice_box(const SettingField& field, std::string& value, float width) {

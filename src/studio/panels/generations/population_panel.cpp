@@ -1,6 +1,7 @@
 #include "studio/panels/generations/population_panel.h"
 
 #include "core/text/pretty_text.h"
+#include "core/text/shown_score.h"
 #include "studio/frame/help_mark.h"
 #include "studio/viewer/origin_words.h"
 #include "studio/viewer/score_words.h"
@@ -39,7 +40,7 @@ std::string tile_words(const Tile& tile, const FrameContext& frame) {
                                      : fmt::format("Of generation {}\n", tile.creature.generation);
     if (judged(result)) {
         const std::string unit = goal_unit(tile.creature.settings->goal, frame.kinds.goals);
-        text += "Fitness " + with_unit(result.fitness, unit);
+        text += "Fitness " + shown_score(result.fitness, unit);
         const std::string range = confirmed_range(result);
         if (!range.empty()) text += ", " + range;
     } else {
@@ -157,7 +158,10 @@ void PopulationPanel::gather(const FrameContext& frame) {
                               frame.view.order,
                               {frame.view.starred_only, frame.view.one_a_plan}};
     if (wanted == listed_for_) return;
-    if (wanted.experiment != listed_for_.experiment) bodies_.clear();
+    if (wanted.experiment != listed_for_.experiment) {
+        bodies_.clear();
+        from_top_ = true;
+    }
     listed_for_ = wanted;
     tiles_ = list_tiles(snapshot, frame.generations.stars, wanted.order, wanted.filter);
 }
@@ -176,6 +180,7 @@ void PopulationPanel::draw(const FrameContext& frame, Requests& out) {
     }
     bodies_.begin_frame(kMostGrown);
     ImGui::BeginChild("tiles", {0, 0}, false, ImGuiWindowFlags_NoBackground);
+    if (std::exchange(from_top_, false)) ImGui::SetScrollY(0.0F);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kCreatureGap), px(kCreatureGap)));
     draw_tiles(frame, out);
     ImGui::PopStyleVar();
@@ -254,7 +259,7 @@ void PopulationPanel::draw_content(const Tile& tile, const Rect& area, const Fra
     small_words(place, {area.x + px(6), area.y + px(3)}, colors().muted);
     draw_star(star_of(area), tile.starred, hovered);
     const bool valid = judged(individual.result);
-    const std::string score = valid ? measured(individual.result.fitness, "") : "invalid";
+    const std::string score = valid ? shown_score(individual.result.fitness, "") : "invalid";
     small_words(score, {area.center().x - 0.5F * small_width(score), area.y + area.height - px(18)},
                 valid ? colors().muted : colors().danger);
 }

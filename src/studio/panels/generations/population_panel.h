@@ -41,6 +41,7 @@ private:
     PhenotypeCache bodies_;
     ListedFor listed_for_;
     std::vector<Tile> tiles_;
+    bool from_top_ = false;  // whether the list goes to its top
     std::size_t tiles_drawn_ = 0;
 };
 

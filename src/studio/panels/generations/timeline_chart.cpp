@@ -1,7 +1,9 @@
 #include "studio/panels/generations/timeline_chart.h"
 
 #include "core/text/pretty_text.h"
+#include "core/text/shown_score.h"
 #include "pictures/scene/scene_builder.h"
+#include "studio/widgets/widgets.h"
 
 #include <fmt/core.h>
 
@@ -9,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
 
 namespace cambrian {
 namespace {
@@ -68,10 +71,17 @@ float entry_width(const LegendEntry& entry) {
     return px(kSwatch + kSwatchGap) + ImGui::CalcTextSize(entry.label).x;
 }
 
+std::span<const double> rows_of(const std::vector<double>& all, std::size_t first,
+                                std::size_t end) {
+    return std::span(all).subspan(std::min(first, all.size()),
+                                  std::min(end, all.size()) - std::min(first, all.size()));
+}
+
 }  // namespace
 
 void TimelineChart::forget() {
     generations_.clear();
+    pieces_.clear();
     lower_.clear();
     upper_.clear();
     curves_.assign(plot_->curves.size(), {});
@@ -106,6 +116,10 @@ void TimelineChart::gather(const EvolutionSnapshot& snapshot, TimelineQuantity q
     for (std::size_t i = generations_.size(); i < snapshot.history.size(); ++i) {
         const GenerationStatistics& row = snapshot.history[i];
         generations_.push_back(row.generation);
+        const bool of_goal = quantity == TimelineQuantity::kFitness;
+        const std::string goal = of_goal ? goal_in(snapshot, row.generation) : std::string();
+        if (pieces_.empty() || pieces_.back().goal != goal) pieces_.push_back({goal, i, i});
+        pieces_.back().end = i + 1;
         for (std::size_t curve = 0; curve < curves_.size(); ++curve)
             curves_[curve].push_back(plot_->curves[curve].measure(row));
         if (plot_->lower == nullptr) continue;
@@ -114,10 +128,11 @@ void TimelineChart::gather(const EvolutionSnapshot& snapshot, TimelineQuantity q
     }
 }
 
-PlotScale TimelineChart::scale_for(const Rect& area) const {
+PlotScale TimelineChart::scale_of(const PlotScale& scale, const Piece& piece) const {
     double lowest = 0.0;
     double highest = 0.0;
-    const auto include = [&](const std::vector<double>& values) {
+    const auto include = [&](const std::vector<double>& all) {
+        const auto values = rows_of(all, piece.first, piece.end);
         const auto [low, high] = std::minmax_element(values.begin(), values.end());
         if (low == values.end()) return;
         lowest = std::min(lowest, *low);
@@ -130,8 +145,18 @@ PlotScale TimelineChart::scale_for(const Rect& area) const {
     include(lower_);
     include(upper_);
     const PlotRange y = plot_range(lowest, highest);
+    return {scale.area, scale.x_low, scale.x_high, y.low, y.high};
+}
+
+PlotScale TimelineChart::scale_for(const Rect& area) const {
     const double last = std::max(generations_.back(), generations_.front() + kLeastSpan);
-    return {area, generations_.front(), last, y.low, y.high};
+    return scale_of({area, generations_.front(), last, 0.0, 1.0}, pieces_.back());
+}
+
+PlotScale TimelineChart::scale_at(const PlotScale& scale, std::size_t row) const {
+    const auto piece = std::find_if(pieces_.begin(), pieces_.end(),
+                                    [row](const Piece& each) { return row < each.end; });
+    return piece == pieces_.end() ? scale : scale_of(scale, *piece);
 }
 
 void TimelineChart::draw(ImDrawList& list, const PlotScale& scale) const {
@@ -139,15 +164,54 @@ void TimelineChart::draw(ImDrawList& list, const PlotScale& scale) const {
     for (std::size_t i = 0; i < bands_.size(); ++i)
         draw_band(list, scale, generations_, i == 0 ? ground : bands_[i - 1], bands_[i],
                   band_color(i));
-    if (!lower_.empty()) {
-        draw_band(list, scale, generations_, lower_, upper_,
-                  with_alpha(colors().plot_median, 0.22F));
+    for (const Piece& piece : pieces_) {
+        const PlotScale own = scale_of(scale, piece);
+        const auto rows = [&](const std::vector<double>& all) {
+            return rows_of(all, piece.first, piece.end);
+        };
+        if (!lower_.empty()) {
+            draw_band(list, own, rows(generations_), rows(lower_), rows(upper_),
+                      with_alpha(colors().plot_median, 0.22F));
+        }
+        for (std::size_t i = curves_.size(); i-- > 0;)
+            draw_curve(list, own, rows(generations_), rows(curves_[i]), curve_color(i),
+                       px(i == 0 ? 2.0F : 1.5F));
     }
-    for (std::size_t i = curves_.size(); i-- > 0;)
-        draw_curve(list, scale, generations_, curves_[i], curve_color(i), px(i == 0 ? 2.0F : 1.5F));
 }
 
-void TimelineChart::draw_dots(ImDrawList& list, const PlotScale& scale, std::size_t row) const {
+void TimelineChart::draw_goals(ImDrawList& list, const PlotScale& scale,
+                               const GoalRegistry& goals) const {
+    if (pieces_.size() < 2) return;
+    const WithFont font(ui().fonts.small);
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        const Piece& piece = pieces_[i];
+        const bool last = i + 1 == pieces_.size();
+        const float from = scale.x_at(generations_[piece.first]);
+        const float to =
+            last ? scale.area.x + scale.area.width : scale.x_at(generations_[pieces_[i + 1].first]);
+        const GoalKind* goal = goals.find(piece.goal);
+        const std::vector<double>& best = curves_.front();
+        const double top =
+            *std::max_element(best.begin() + static_cast<std::ptrdiff_t>(piece.first),
+                              best.begin() + static_cast<std::ptrdiff_t>(piece.end));
+        const std::string words =
+            fmt::format("{}, up to {}", goal == nullptr ? piece.goal : goal->label,
+                        shown_score(top, goal == nullptr ? "" : goal->unit));
+        if (i > 0) {
+            const float x = std::floor(from) + 0.5F;
+            list.AddLine({x, scale.area.y}, {x, scale.area.y + scale.area.height},
+                         paint(colors().faint), px(1));
+        }
+        const float room = to - from - px(12);
+        if (room < px(24)) continue;
+        list.AddText(
+            {std::floor(from + px(6)), std::floor(scale.area.y + scale.area.height - px(20))},
+            paint(colors().muted), fit_text(words, room).c_str());
+    }
+}
+
+void TimelineChart::draw_dots(ImDrawList& list, const PlotScale& whole, std::size_t row) const {
+    const PlotScale scale = scale_at(whole, row);
     for (std::size_t i = curves_.size(); i-- > 0;) {
         const ImVec2 at = {scale.x_at(generations_[row]), scale.y_at(curves_[i][row])};
         list.AddCircleFilled(at, px(4), paint(curve_color(i)));
@@ -208,13 +272,14 @@ void draw_change_marks(ImDrawList& list, const PlotScale& scale,
 }
 
 void draw_timeline_picture(ImDrawList& list, const Rect& area, const EvolutionSnapshot& snapshot,
-                           TimelineQuantity quantity, const std::string& unit) {
+                           TimelineQuantity quantity, const GoalRegistry& goals) {
     TimelineChart chart;
     chart.gather(snapshot, quantity);
     const TimelinePlot& plot = timeline_plot(quantity);
     const float margin = px(28);
     list.AddText(ui().fonts.title, ui().fonts.title->FontSize, {area.x + margin, area.y + px(22)},
-                 paint(colors().text), timeline_title(plot, unit).c_str());
+                 paint(colors().text),
+                 timeline_title(plot, goal_unit(snapshot.settings->goal, goals)).c_str());
     draw_legend(list, plot, {area.x + area.width - margin, area.y + px(28)});
     if (chart.empty()) return;
     const PlotScale scale =
@@ -223,6 +288,7 @@ void draw_timeline_picture(ImDrawList& list, const Rect& area, const EvolutionSn
     draw_axes(list, scale);
     draw_change_marks(list, scale, snapshot);
     chart.draw(list, scale);
+    chart.draw_goals(list, scale, goals);
     const WithFont font(ui().fonts.small);
     const char* across = "generation";
     list.AddText(ui().fonts.small, ImGui::GetFontSize(),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "evolution/engine/snapshot.h"
+#include "goals/goal.h"
 #include "studio/experiment/timeline_plots.h"
 #include "studio/widgets/plot.h"
 
@@ -15,10 +16,16 @@ public:
     // Adds new generations; takes little time if there are none.
     void gather(const EvolutionSnapshot& snapshot, TimelineQuantity quantity);
     bool empty() const { return generations_.empty(); }
-    // Returns the scale that fits all generations and values into an area; must not be called while
-    // empty().
+    // Returns the scale that fits all generations, and the values of those with the last goal, into
+    // an area; must not be called while empty().
     PlotScale scale_for(const Rect& area) const;
+    // Each goal has a piece of the curve on a scale of its own, since its unit is another one.
     void draw(ImDrawList& list, const PlotScale& scale) const;
+    // Draws where the pieces begin, with their goals and units, if there are several.
+    void draw_goals(ImDrawList& list, const PlotScale& scale, const GoalRegistry& goals) const;
+    std::size_t piece_count() const { return pieces_.size(); }
+    // Returns the scale of the piece that a row of the history belongs to.
+    PlotScale scale_at(const PlotScale& scale, std::size_t row) const;
     // Marks the curves' points of one row of the history.
     void draw_dots(ImDrawList& list, const PlotScale& scale, std::size_t row) const;
     // Returns the row of the history whose generation is nearest to a pixel.
@@ -26,12 +33,20 @@ public:
     double generation(std::size_t row) const { return generations_[row]; }
 
 private:
+    // Rows of the history that were judged by one goal.
+    struct Piece {
+        std::string goal;
+        std::size_t first = 0;
+        std::size_t end = 0;
+    };
     void forget();
+    PlotScale scale_of(const PlotScale& scale, const Piece& piece) const;
     void stack(const EvolutionSnapshot& snapshot);
 
     std::uint64_t experiment_ = 0;
     const TimelinePlot* plot_ = &timeline_plot(TimelineQuantity::kFitness);
     std::vector<double> generations_;
+    std::vector<Piece> pieces_;
     std::vector<std::vector<double>> curves_;
     std::vector<double> lower_;
     std::vector<double> upper_;
@@ -51,6 +66,6 @@ void draw_change_marks(ImDrawList& list, const PlotScale& scale, const Evolution
 
 // Draws the chart as a separate picture with its title and legend.
 void draw_timeline_picture(ImDrawList& list, const Rect& area, const EvolutionSnapshot& snapshot,
-                           TimelineQuantity quantity, const std::string& unit);
+                           TimelineQuantity quantity, const GoalRegistry& goals);
 
 }  // namespace cambrian

@@ -1,6 +1,7 @@
 #include "studio/panels/generations/timeline_panel.h"
 
 #include "core/text/pretty_text.h"
+#include "core/text/shown_score.h"
 #include "studio/frame/help_mark.h"
 #include "studio/panels/generations/export_menu.h"
 #include "studio/widgets/widgets.h"
@@ -133,14 +134,14 @@ std::string percent(double share) {
 
 std::string reading(const GenerationStatistics& stats, const std::string& unit) {
     std::string text =
-        fmt::format("Generation {}\nBest {}", stats.generation, with_unit(stats.best, unit));
+        fmt::format("Generation {}\nBest {}", stats.generation, shown_score(stats.best, unit));
     if (stats.best_lowest < stats.best_highest) {
-        text += fmt::format(" ({} to {} in other worlds)", pretty_number(stats.best_lowest),
-                            pretty_number(stats.best_highest));
+        text += fmt::format(" ({} to {} in other worlds)", shown_score(stats.best_lowest, ""),
+                            shown_score(stats.best_highest, ""));
     }
-    text += ", median " + pretty_number(stats.median);
-    text +=
-        fmt::format("\n10–90 %: {} to {}", pretty_number(stats.lower), pretty_number(stats.upper));
+    text += ", median " + shown_score(stats.median, "");
+    text += fmt::format("\n10–90 %: {} to {}", shown_score(stats.lower, ""),
+                        shown_score(stats.upper, ""));
     text += fmt::format("\n{} distinct of {}, ", stats.distinct_genomes, stats.size);
     text += fmt::format("{} founder lines and {} body plans survive, {} invalid", stats.lines,
                         stats.plans, percent(stats.invalid_share));
@@ -225,6 +226,7 @@ void TimelinePanel::draw(const FrameContext& frame, Requests& out) {
     draw_axes(list, scale);
     draw_change_marks(list, scale, frame.experiment.snapshot);
     chart_.draw(list, scale);
+    chart_.draw_goals(list, scale, frame.kinds.goals);
     follow_mouse(scale, frame, out);
     follow_keys(frame, out);
 }
@@ -247,7 +249,8 @@ void TimelinePanel::follow_mouse(const PlotScale& scale, const FrameContext& fra
     }
     if (held && !shows_champion(frame, row)) out.ask(ShowChampion{history[row].generation});
     if (held || !hovered) return;
-    std::string text = reading(history[row], frame.unit_of_goal()) +
+    const std::string goal = goal_in(frame.experiment.snapshot, history[row].generation);
+    std::string text = reading(history[row], goal_unit(goal, frame.kinds.goals)) +
                        wall_time_words(frame.experiment.snapshot, row);
     const std::string change = change_near(frame, scale, pixel);
     if (!change.empty()) text += "\n\n" + change;

@@ -20,6 +20,7 @@ constexpr float kTraceHeight = 13.0F;
 constexpr float kTraceWidth = 32.0F;
 constexpr float kHistoryHeight = 132.0F;  // history and force slider of the chosen node
 constexpr double kForceRange = 2.0;       // range of the slider; larger values can be typed
+constexpr double kMostForce = 10.0;
 
 std::vector<double> history_of(const BrainNode& node, const SignalTrace& signals) {
     if (node.kind == BrainNodeKind::kEffector) return signals.of_output(node.index);
@@ -162,7 +163,9 @@ void BrainTab::draw_force(const FrameContext& frame, Requests& out) {
         "until you restart it.");
     ImGui::SameLine();
     const float width = ImGui::GetContentRegionAvail().x;
-    if (value_slider(value, {.range = {-kForceRange, kForceRange}, .width = width}))
+    if (value_slider(value, {.range = {-kForceRange, kForceRange},
+                             .width = width,
+                             .allowed = SliderRange{-kMostForce, kMostForce}}))
         out.ask(ForceNeuron{neuron, value});
     note_place("forced value");
     tooltip(

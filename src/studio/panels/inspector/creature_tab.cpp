@@ -1,6 +1,7 @@
 #include "studio/panels/inspector/creature_tab.h"
 
 #include "core/text/pretty_text.h"
+#include "core/text/shown_score.h"
 #include "studio/viewer/mutation_words.h"
 #include "studio/viewer/origin_words.h"
 #include "studio/viewer/score_words.h"
@@ -35,10 +36,11 @@ void draw_headline(const FrameContext& frame) {
     // Shows the fitness that selection used, with all penalties, if the creature was ever
     // evaluated.
     if (result != nullptr) {
-        ImGui::TextUnformatted(measured(result->fitness, unit_of(frame)).c_str());
+        ImGui::TextUnformatted(shown_score(result->fitness, unit_of(frame)).c_str());
         draw_range(*result);
     } else if (frame.viewer.score != nullptr) {
-        ImGui::TextUnformatted(measured(frame.viewer.score->score.value, unit_of(frame)).c_str());
+        ImGui::TextUnformatted(
+            shown_score(frame.viewer.score->score.value, unit_of(frame)).c_str());
     } else {
         ImGui::TextUnformatted("…");
     }
@@ -74,7 +76,7 @@ void draw_recomputed(const FrameContext& frame) {
     if (result == nullptr || !result->finer) return;
     const FinerResult& finer = *result->finer;
     fact("Computed more finely", finer.outcome == Outcome::kCompleted
-                                     ? measured(finer.score, unit_of(frame))
+                                     ? shown_score(finer.score, unit_of(frame))
                                      : std::string(outcome_name(finer.outcome)));
     fact("Energy audit", std::string(verdict_name(finer.verdict)));
 }

@@ -69,7 +69,9 @@ public:
         const std::string before = number_words(value, unit);
         double shown = value * unit.factor;
         const SliderRange range = {rule.low * unit.factor, rule.high * unit.factor};
-        if (value_slider(shown, {.range = range, .pattern = pattern_of(unit), .width = width_})) {
+        if (value_slider(
+                shown,
+                {.range = range, .pattern = pattern_of(unit), .width = width_, .allowed = range})) {
             value = shown / unit.factor;
             note(place, before, number_words(value, unit));
         }
@@ -80,7 +82,7 @@ public:
         begin_row(place, label);
         const std::string before = std::to_string(value);
         const SliderRange range = {static_cast<double>(low), static_cast<double>(high)};
-        if (value_slider(value, {.range = range, .width = width_}))
+        if (value_slider(value, {.range = range, .width = width_, .allowed = range}))
             note(place, before, std::to_string(value));
         end_slider(place, fmt::format("Allowed {} to {}; Ctrl+click to type.", low, high));
     }

@@ -32,6 +32,10 @@ void InspectorPanel::draw(const FrameContext& frame, Requests& out) {
     }
     ImGui::BeginChild("tab", {0, 0}, false, ImGuiWindowFlags_NoBackground);
     tabs_[static_cast<std::size_t>(chosen_)].panel->draw(frame, out);
+    if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
+                               ImGuiHoveredFlags_AllowWhenBlockedByActiveItem |
+                               ImGuiHoveredFlags_AllowWhenBlockedByPopup))
+        out.ask(HoldShown{});
     ImGui::EndChild();
 }
 

@@ -1,6 +1,7 @@
 #include "studio/panels/picking/picking_grid_panel.h"
 
 #include "core/text/pretty_text.h"
+#include "core/text/shown_score.h"
 #include "pictures/scene/follow_camera.h"
 #include "pictures/scene/scene_builder.h"
 #include "studio/hand_picking/drag_payload.h"
@@ -83,8 +84,8 @@ std::string score_words(const FrameContext& frame, const Individual& creature) {
     if (!creature.evaluated) return "not judged";
     if (creature.result.outcome != Outcome::kCompleted)
         return std::string(outcome_name(creature.result.outcome));
-    return measured(creature.result.fitness,
-                    goal_unit(grid_of(frame).settings->goal, frame.kinds.goals));
+    return shown_score(creature.result.fitness,
+                       goal_unit(grid_of(frame).settings->goal, frame.kinds.goals));
 }
 
 }  // namespace

@@ -11,21 +11,50 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace cambrian {
 namespace {
 
-constexpr double kChaseLag = 0.25;    // s; time constant with which the camera follows
-constexpr double kWorldShare = 0.97;  // share of the viewport filled by the world
-constexpr float kHeadHeight = 36.0F;  // of the words above it, in units of 1/96 inch
-constexpr double kPickPixels = 12.0;  // distance at which a click picks a creature
-constexpr float kPanStep = 60.0F;     // a press of an arrow key, in units of 1/96 inch
+constexpr double kChaseLag = 0.25;     // s; time constant with which the camera follows
+constexpr double kChaseMargin = 0.06;  // share of the viewport free around a followed creature
+constexpr double kLeastSight = 2.0;    // m; least height of a meadow that is in view
+constexpr double kGroundShare = 0.2;   // share of that below the ground
+constexpr double kWorldShare = 0.97;   // share of the viewport filled by the world
+constexpr float kHeadHeight = 36.0F;   // of the words above it, in units of 1/96 inch
+constexpr double kPickPixels = 12.0;   // distance at which a click picks a creature
+constexpr float kPanStep = 60.0F;      // a press of an arrow key, in units of 1/96 inch
 
 void outlined_text(ImDrawList& list, const ImVec2& at, const Color& color,
                    const std::string& text) {
     const ImVec2 place = {std::round(at.x), std::round(at.y)};
     list.AddText({place.x, place.y + 1.0F}, paint(with_alpha(colors().sky, 0.9F)), text.c_str());
     list.AddText(place, paint(color), text.c_str());
+}
+
+// Returns the stretch of a meadow with the most creatures, as high as they need and as wide as the
+// viewport is for its height.
+WorldWindow most_creatures(const PreservePicture& picture, const Viewport& viewport) {
+    std::vector<double> places;
+    double top = kLeastSight;
+    for (const ResidentPicture& resident : picture.residents) {
+        places.push_back(resident.center.x());
+        top = std::max(top, resident.center.y() + reach_of(resident));
+    }
+    std::sort(places.begin(), places.end());
+    const double height = std::min(1.5 * top, picture.area.height);
+    const double width = std::min(height * viewport.width / viewport.height, picture.area.width);
+    std::size_t most = 0;
+    double left = places.front();
+    for (std::size_t first = 0; first < places.size(); ++first) {
+        const auto end = std::upper_bound(places.begin(), places.end(), places[first] + width);
+        const auto count = static_cast<std::size_t>(end - places.begin()) - first;
+        if (count <= most) continue;
+        most = count;
+        left = places[first] - 0.5 * (width - (*(end - 1) - places[first]));
+    }
+    const double ground = -kGroundShare * height;
+    return {{left, ground}, {left + width, ground + height}};
 }
 
 }  // namespace
@@ -76,17 +105,25 @@ void WorldPanel::place_camera(const FrameContext& frame) {
     Camera& camera = canvas_.camera;
     const WorldArea& area = preserve.picture.area;
     if (std::exchange(fits_seen_, preserve.fits_asked) != preserve.fits_asked) {
-        const Vec2 corner(0.5 * area.width, 0.5 * area.height);
-        const Vec2 middle = area.middle().head<2>();
         const auto words = static_cast<double>(px(kHeadHeight));
         const Viewport size = canvas_.size();
-        camera.fit({middle - corner, middle + corner}, kWorldShare,
-                   {size.width, std::max(1.0, size.height - 2.0 * words)});
+        const Viewport room = {size.width, std::max(1.0, size.height - 2.0 * words)};
+        const bool near = preserve.near && !preserve.picture.residents.empty();
+        if (near) {
+            camera.fit(most_creatures(preserve.picture, room), 1.0, room);
+        } else {
+            const Vec2 corner(0.5 * area.width, 0.5 * area.height);
+            const Vec2 middle = area.middle().head<2>();
+            camera.fit({middle - corner, middle + corner}, kWorldShare, room);
+        }
     }
     if (preserve.follow && preserve.picked != nullptr) {
         const Vec2 center = preserve.picked->center.head<2>();
         camera.approach(image_near(area, center, camera.center),
                         static_cast<double>(ImGui::GetIO().DeltaTime), kChaseLag);
+        const Vec2 here = image_near(area, center, camera.center);
+        const Vec2 reach = Vec2::Constant(reach_of(*preserve.picked));
+        camera.keep_in_view({here - reach, here + reach}, kChaseMargin, canvas_.size());
     }
     camera.center = image_near(area, camera.center, Vec2::Zero());
 }

@@ -1,6 +1,8 @@
 #include "studio/panels/viewport/viewport_panel.h"
 
+#include "core/text/code_points.h"
 #include "core/text/pretty_text.h"
+#include "core/text/shown_score.h"
 #include "pictures/scene/bout_scene.h"
 #include "pictures/scene/field_overlays.h"
 #include "pictures/scene/follow_camera.h"
@@ -18,6 +20,7 @@ namespace cambrian {
 namespace {
 
 constexpr double kFollowLag = 0.25;         // s; time constant with which the camera follows
+constexpr double kFollowMargin = 0.06;      // share of the viewport kept free around the body
 constexpr double kFitShare = 0.32;          // share of the viewport filled by a body after FitView
 constexpr double kFitShareOfContest = 0.8;  // the same, by both creatures and the cube
 // Pixels from the top that the text about the creature takes.
@@ -26,6 +29,7 @@ constexpr double kFarthestLight = 1000.0;  // m; limit of the setting
 
 void shadowed_text(ImDrawList& list, ImFont* font, float size, const ImVec2& at, const Color& color,
                    const std::string& text) {
+    note_letters(text);
     list.AddText(font, size, {at.x, at.y + 1.0F}, paint(with_alpha(colors().sky, 0.9F)),
                  text.c_str());
     list.AddText(font, size, at, paint(color), text.c_str());
@@ -36,7 +40,7 @@ std::string second_line(const FrameContext& frame) {
     const GoalKind* goal = frame.kinds.goals.find(exhibit.settings().goal);
     std::string line = goal == nullptr ? std::string() : goal->label;
     if (goal != nullptr && frame.viewer.score != nullptr) {
-        line += "  ·  " + measured(frame.viewer.score->score.value, goal->unit);
+        line += "  ·  " + shown_score(frame.viewer.score->score.value, goal->unit);
     }
     const Trial& trial = frame.viewer.playback.trial();
     const std::string clock = trial.settling() ? "settling" : fmt::format("{:.1f} s", trial.time());
@@ -132,6 +136,9 @@ void ViewportPanel::place_camera(const FrameContext& frame) {
     } else if (frame.view.follow) {
         const double elapsed = static_cast<double>(ImGui::GetIO().DeltaTime);
         canvas_.camera.approach(follow_target(frame), elapsed, kFollowLag);
+        // The lag is a matter of seconds, and a fast playback goes far in that time.
+        canvas_.camera.keep_in_view(shown_bounds(frame.viewer.playback), kFollowMargin,
+                                    canvas_.size());
     }
 }
 
@@ -362,8 +369,8 @@ void ViewportPanel::draw_words(const FrameContext& frame) {
     const Exhibit& exhibit = frame.viewer.playback.exhibit();
     ImVec2 at = {canvas_.area.x + px(16), canvas_.area.y + px(12)};
     const std::string& name = exhibit.genome()->name;
-    const std::string title =
-        name.empty() || exhibit.source == ExhibitSource::kChampion ? exhibit.title : name;
+    const std::string title = on_one_line(
+        name.empty() || exhibit.source == ExhibitSource::kChampion ? exhibit.title : name);
     shadowed_text(list, fonts.title, px(20), at, colors().text, title);
     at.y += px(27);
     shadowed_text(list, fonts.body, px(15), at, colors().muted, second_line(frame));
