@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace cambrian {
 
@@ -15,7 +16,8 @@ class RecentSum {
 public:
     static constexpr int kSeconds = 60;
 
-    // `now` is in s of any monotonic clock, at least 0; all calls must use the same clock.
+    // `now` is in s of any clock; all calls must use the same one. If it runs back, the sum of the
+    // time gone over again may be too small.
     void add(double amount, double now) {
         Bucket& bucket = buckets_[place(second(now))];
         if (bucket.second != second(now)) bucket = {second(now), 0.0};
@@ -42,13 +44,14 @@ public:
 
 private:
     struct Bucket {
-        std::int64_t second = -kSeconds;  // earlier than any second that can be asked for
+        std::int64_t second = std::numeric_limits<std::int64_t>::min();  // none yet
         double amount = 0.0;
     };
 
     static std::int64_t second(double now) { return static_cast<std::int64_t>(std::floor(now)); }
     static std::size_t place(std::int64_t second) {
-        return static_cast<std::size_t>(second % kSeconds);
+        const std::int64_t rest = second % kSeconds;
+        return static_cast<std::size_t>(rest < 0 ? rest + kSeconds : rest);
     }
 
     std::array<Bucket, kSeconds> buckets_;

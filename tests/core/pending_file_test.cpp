@@ -126,3 +126,28 @@ TEST_CASE("only regular files are locked", "[core][file_lock]") {
     CHECK_THAT(FileLock::take(folder / "none").error().message, Catch::Contains("No such file"));
     CHECK(FileLock::check_free(folder / "none"));
 }
+
+TEST_CASE("companions of a file that is gone are taken away, too", "[core][pending_file]") {
+    const TemporaryDirectory folder;
+    const std::string stale = ".cambrian-" + std::to_string(gone_process()) + "-1";
+    for (const char* ending : {"-wal", "-shm", "-journal"})
+        put_text(folder / (stale + ending), "half");
+    put_text(folder / (stale + "-other"), "not ours");
+    REQUIRE(PendingFile::beside(folder / "target"));
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+}
+
+TEST_CASE("a database whose changes are only in its log is not committed", "[core][pending_file]") {
+    const TemporaryDirectory folder;
+    auto pending = PendingFile::beside(folder / "target");
+    REQUIRE(pending);
+    put_text(pending->path().string() + "-wal", "changes");
+    const Status refused = pending->commit();
+    REQUIRE_FALSE(refused);
+    CHECK_THAT(refused.error().message, Catch::Contains("its last changes cannot be written"));
+    CHECK_FALSE(std::filesystem::exists(folder / "target"));
+    put_text(pending->path().string() + "-wal", "");
+    put_text(pending->path().string() + "-shm", "index");
+    REQUIRE(pending->commit());
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+}

@@ -31,3 +31,13 @@ TEST_CASE("RecentSum gives the rate of steady work from its first second on", "[
     CHECK(sum.rate(200.25, RecentSum::kSeconds) == Approx(100.0).epsilon(0.02));
     CHECK(sum.rate(205.25, 5) == Approx(0.0));
 }
+
+TEST_CASE("RecentSum survives a clock that runs back", "[core]") {
+    RecentSum sum;
+    for (const double now : {100.0, 30.0, -0.5, -61.0, 1.0}) {
+        sum.add(1.0, now);
+        CHECK(sum.sum(now, 1) == 1.0);
+        CHECK(sum.rate(now, 5) >= 0.0);
+    }
+    CHECK(sum.sum(100.9) <= 5.0);
+}

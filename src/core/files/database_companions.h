@@ -11,6 +11,9 @@ namespace cambrian {
 // Suffixes of the database's name.
 inline constexpr std::array<std::string_view, 3> kDatabaseCompanions = {"-wal", "-shm", "-journal"};
 
+// Returns whether there are changes, or data to undo some, that the database itself does not have.
+bool has_unwritten_changes(const std::filesystem::path& database);
+
 // Deletes those that exist.
 void remove_companions(const std::filesystem::path& database);
 

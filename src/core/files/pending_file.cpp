@@ -3,13 +3,13 @@
 #include "core/files/database_companions.h"
 #include "core/files/file_errors.h"
 #include "core/files/file_lock.h"
+#include "core/files/leftovers.h"
 #include "core/files/output_target.h"
 #include "core/text/parsed_number.h"
 
 #include <fmt/core.h>
 
 #include <cerrno>
-#include <csignal>
 #include <fcntl.h>
 #include <mutex>
 #include <string>
@@ -28,21 +28,19 @@ void remove_with_companions(const std::filesystem::path& file) {
     remove_companions(file);
 }
 
-// Returns the process id in the name of a temporary file, ".cambrian-PID-N"; 0 for other names.
-pid_t maker_of(std::string_view name) {
-    if (!name.starts_with(kPrefix)) return 0;
-    name.remove_prefix(kPrefix.size());
-    const std::size_t dash = name.find('-');
-    if (dash == std::string_view::npos || !parsed_number<unsigned>(name.substr(dash + 1))) return 0;
-    return parsed_number<pid_t>(name.substr(0, dash)).value_or(0);
-}
-
-// Returns whether the process that made the file has ended. The lock also covers processes that are
-// not visible here, and process ids that were used again.
-bool is_stale(const std::filesystem::path& file, pid_t maker) {
-    if (maker != ::getpid() && (::kill(maker, 0) == 0 || errno != ESRCH)) return false;
-    const FileDescriptor held(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-    return held.is_open() && (::flock(held.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK);
+// Returns the process that made a temporary file, ".cambrian-PID-N", or a companion of one that is
+// not there; 0 for other names.
+pid_t maker_of(const std::filesystem::path& path) {
+    const std::string name = path.filename().string();
+    const TemporaryName parts = temporary_name(name, kPrefix);
+    if (parsed_number<unsigned>(parts.rest)) return parts.maker;
+    for (const std::string_view ending : kDatabaseCompanions) {
+        if (!name.ends_with(ending)) continue;
+        const auto file = path.parent_path() / name.substr(0, name.size() - ending.size());
+        std::error_code unknown;
+        return std::filesystem::exists(file, unknown) ? 0 : maker_of(file);
+    }
+    return 0;
 }
 
 void remove_stale(const std::filesystem::path& folder) {
@@ -50,8 +48,8 @@ void remove_stale(const std::filesystem::path& folder) {
     std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, unreadable);
     for (; !unreadable && entry != std::filesystem::directory_iterator();
          entry.increment(unreadable)) {
-        const pid_t maker = maker_of(entry->path().filename().string());
-        if (maker > 0 && is_stale(entry->path(), maker)) remove_with_companions(entry->path());
+        if (is_leftover(entry->path(), maker_of(entry->path())))
+            remove_with_companions(entry->path());
     }
 }
 
@@ -136,6 +134,10 @@ int PendingFile::put_in_place(Existing existing) {
 }
 
 Status PendingFile::commit(Existing existing) {
+    if (has_unwritten_changes(temporary_))
+        return cannot_write(target_,
+                            "its last changes cannot be written into it; the disk is full");
+    remove_companions(temporary_);
     const int failure = put_in_place(existing);
     if (failure == 0) temporary_.clear();
     return write_outcome(target_, failure);

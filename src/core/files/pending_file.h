@@ -31,7 +31,7 @@ public:
 
     enum class Existing : unsigned char { kReplace, kRefuse };
     // Flushes the file to the disk and renames it. It gets the permissions of a file that it
-    // replaces.
+    // replaces. Fails if it is a database with changes that are only in the log beside it.
     Status commit(Existing existing = Existing::kReplace);
 
 private:
