@@ -83,6 +83,7 @@ Result<SettingsPtr> changed_by(const SettingsPtr& settings,
             return Error{fmt::format("there is no law \"{}\" that can be changed; known are {}",
                                      name, fmt::join(names_of(laws), ", "))};
         if (Status set = set_law(*law, each.x, *changed); !set) return set.error();
+        if (Status fits = check_preserve_memory(changed->preserve); !fits) return fits.error();
     }
     return SettingsPtr(std::move(changed));
 }

@@ -1,5 +1,6 @@
 // The settings of a preserve: its own table, and those of an experiment that also hold in it.
 
+#include "core/text/number_text.h"
 #include "evolution/fields/setting_field.h"
 #include "evolution/fields/setting_table.h"
 #include "evolution/settings/light_patches.h"
@@ -193,6 +194,29 @@ Status check_world(const Settings& s) {
 
 }  // namespace
 
+double preserve_memory(const PreserveSettings& laws) {
+    // Measured; of each, about half is its part of the snapshot that is being written.
+    constexpr double per_area = 530.0;      // bytes for each m^2, of smells and of food's places
+    constexpr double per_plant = 150.0;     // bytes
+    constexpr double per_creature = 6.4e4;  // bytes
+    const double area = laws.width * laws.height;
+    const double plants = laws.energy_density * area / laws.plant_energy;
+    return per_area * area + per_plant * plants +
+           per_creature * std::max(laws.founders, laws.max_population);
+}
+
+Status check_preserve_memory(const PreserveSettings& laws) {
+    const double bytes = preserve_memory(laws);
+    if (bytes <= kMostPreserveMemory) return {};
+    return Error{fmt::format(
+        "[preserve] width, height: {} m by {} m with up to {:.3g} plants need about {:.3g} GB of "
+        "memory, at most {} GB are allowed; expected a smaller world, less energy-density or more "
+        "plant-energy",
+        short_text(laws.width), short_text(laws.height),
+        laws.energy_density * laws.width * laws.height / laws.plant_energy, 1e-9 * bytes,
+        short_text(1e-9 * kMostPreserveMemory))};
+}
+
 std::vector<SettingField> preserve_fields(const EvolutionKinds& kinds) {
     std::vector<SettingField> fields;
     TableBuilder table(fields, "preserve");
@@ -229,6 +253,7 @@ Status check_preserve(const ExperimentSettings& settings, const EvolutionKinds& 
     }
     if (Status world = check_world(settings); !world) return world;
     if (Status places = check_places(settings); !places) return places;
+    if (Status fits = check_preserve_memory(settings.preserve); !fits) return fits;
     if (Status order = setting_table::check_founders(settings); !order) return order;
     return setting_table::check_creatures(settings, kinds);
 }

@@ -30,6 +30,12 @@ std::vector<SettingField> preserve_fields(const EvolutionKinds& kinds);
 ExperimentSettings preserve_defaults(const EvolutionKinds& kinds, bool has_ground = false);
 Status check_preserve(const ExperimentSettings& settings, const EvolutionKinds& kinds);
 
+// Bytes that a preserve may need; its snapshots then have at most the 128 MB that files hold.
+inline constexpr double kMostPreserveMemory = 700e6;
+// Returns about how many bytes a preserve needs when all of its energy is plants.
+double preserve_memory(const PreserveSettings& laws);
+Status check_preserve_memory(const PreserveSettings& laws);
+
 // Returns a sentence for each setting that is allowed but makes little sense.
 std::vector<std::string> setting_warnings(const ExperimentSettings& settings,
                                           const EvolutionKinds& kinds);
