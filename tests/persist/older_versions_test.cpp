@@ -1,9 +1,13 @@
 // Reads files of each earlier version of the formats, from tests/persist/versions/VERSION/.
 
 #include "core/files/file_io.h"
+#include "persist/creature/creature_card.h"
 #include "persist/creature/creature_file.h"
+#include "persist/creature/creature_format.h"
 #include "persist/creature/rescoring.h"
 #include "persist/experiment/experiment_file.h"
+#include "persist/preserve/preserve_file.h"
+#include "persist/preserve/preserve_tables.h"
 #include "persist/records/experiment_schema.h"
 #include "persist/settings/settings_file.h"
 #include "persist/steered_run.h"
@@ -205,4 +209,76 @@ TEST_CASE("settings of any version are read", "[persist][older_versions]") {
     REQUIRE(settings);
     CHECK(settings->population.size == 8);
     CHECK(settings->world.trial.duration == 0.5);
+}
+
+// -- samples of every version of every format, from tests/persist/versions/samples/
+
+namespace {
+
+// Returns the number in a name such as "experiment-4.cambrian".
+std::int64_t number_in(const std::filesystem::path& path) {
+    const std::string name = path.filename().string();
+    return std::stoll(name.substr(name.find('-') + 1));
+}
+
+void check_creature(const Result<CreatureDocument>& document, const std::string& text,
+                    std::int64_t version) {
+    INFO((document ? "" : document.error().message));
+    REQUIRE(document);
+    CHECK(document->warnings.empty());
+    CHECK(document->scored());
+    CHECK_THAT(text, Catch::Contains("\"version\": " + std::to_string(version)));
+}
+
+void check_sample(const std::filesystem::path& path) {
+    const std::string kind = path.filename().string().substr(0, path.filename().string().find('-'));
+    INFO(path.filename().string());
+    if (kind == "experiment") {
+        CHECK(version_in(path) == number_in(path));
+        const auto saved = load_experiment(path, kinds());
+        INFO((saved ? "" : saved.error().message));
+        REQUIRE(saved);
+        CHECK(saved->latest->history.size() == 2);
+    } else if (kind == "preserve") {
+        CHECK(version_in(path) == number_in(path));
+        const auto saved = load_preserve(path, kinds());
+        INFO((saved ? "" : saved.error().message));
+        REQUIRE(saved);
+        CHECK(load_snapshot(path, saved->snapshots.back(), kinds()));
+    } else if (kind == "creature" || kind == "card") {
+        const std::string bytes = bytes_of(path);
+        const std::string text = kind == "card" ? *card_document(bytes, path.string()) : bytes;
+        check_creature(load_creature(path, kinds()), text, number_in(path));
+    } else {
+        REQUIRE(kind == "settings");
+        const std::string text = bytes_of(path);
+        const auto settings = parse_settings(text, path.string(), kinds(), use_of_settings(text));
+        INFO((settings ? "" : settings.error().message));
+        CHECK(settings);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("samples of every version of every format are read", "[persist][older_versions]") {
+    const TemporaryDirectory folder;
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(kVersions / "samples")) {
+        if (entry.path().extension() == ".md") continue;
+        std::filesystem::copy(entry.path(), folder / entry.path().filename().string());
+        check_sample(folder / entry.path().filename().string());
+        ++count;
+    }
+    CHECK(count >= 7);
+}
+
+TEST_CASE("there is a sample of the present version of every format", "[persist][older_versions]") {
+    for (const std::string& name :
+         {"experiment-" + std::to_string(kExperimentVersion) + ".cambrian",
+          "preserve-" + std::to_string(kPreserveVersion) + ".cambrian",
+          "creature-" + std::to_string(creature_format::kVersion) + ".creature.json",
+          "card-" + std::to_string(creature_format::kVersion) + ".card.png"}) {
+        INFO(name << " is missing; tests/persist/versions/samples/README.md says how to make it");
+        CHECK(std::filesystem::exists(kVersions / "samples" / name));
+    }
 }
