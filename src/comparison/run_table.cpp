@@ -3,6 +3,7 @@
 #include "core/files/file_io.h"
 #include "core/text/number_text.h"
 #include "core/text/parsed_number.h"
+#include "core/text/shown_text.h"
 #include "persist/sqlite/column_text.h"
 
 #include <fmt/core.h>
@@ -49,7 +50,7 @@ std::string header() {
 }
 
 bool read_cell(std::string_view cell, std::string& text) {
-    text = cell;
+    text = text_of_csv_cell(cell);
     return true;
 }
 template <class Number>
@@ -83,7 +84,7 @@ bool read_curve(std::string_view text, std::vector<CurvePoint>& curve) {
 bool read_row(std::string_view line, Row& row) {
     for (const Column<Row>& column : kColumns) {
         if (line.empty()) return false;
-        const std::string_view cell = take(line, ',');
+        const std::string_view cell = take_csv_cell(line);
         if (!std::visit([&](auto field) { return read_cell(cell, row.*field); }, column.field))
             return false;
     }

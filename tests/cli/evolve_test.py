@@ -227,9 +227,10 @@ class Evolve(ProgramTest):
             self.skipTest("the champion was written before the folder could be removed")
         self.assertEqual(process.returncode, FAILED)
         self.assertIn("the champion is in", messages)
-        rescued = list(refuge.glob("rescued-*-a.creature.json"))
+        rescued = list(refuge.glob("cambrian-rescued-*/a.creature.json"))
         self.assertEqual(len(rescued), 1)
         self.assertIn(str(rescued[0]), messages)
+        self.assertEqual(rescued[0].parent.stat().st_mode & 0o077, 0)  # nobody can plant a link
 
     def test_a_run_ends_at_its_target_or_its_last_evaluation(self):
         self.write("target.toml", SMALL.replace("generations = 3", "generations = 1000\n"

@@ -175,3 +175,49 @@ TEST_CASE("a settings file over a megabyte is refused unread", "[persist][settin
     CHECK_THAT(loaded.error().message,
                Catch::EndsWith("huge.toml: file too large: 1.0 MB, limit 1.0 MB"));
 }
+
+TEST_CASE("nesting is refused before the text is parsed", "[persist][settings_error]") {
+    const auto repeated = [](const std::string& piece, std::size_t times) {
+        std::string text;
+        for (std::size_t i = 0; i < times; ++i)
+            text += piece;
+        return text;
+    };
+    constexpr std::size_t kMany = 100'000;  // of them, functions that call themselves need 100 MB
+    for (const std::string& text : {
+             "a" + repeated(".a", kMany) + " = 1\n",
+             "a" + repeated(" . \"a\"", kMany) + " = 1\n",
+             "'a'" + repeated(".'a'", kMany) + " = 1\n",
+             "[a" + repeated(".a", kMany) + "]\n",
+             "[[a" + repeated(".a", kMany) + "]]\n",
+             "a = " + repeated("[", kMany),
+             "a = " + repeated("{ a = ", kMany),
+             "a = " + repeated("{a.a.a=", kMany),
+             "a = { b" + repeated(".b", kMany) + " = 1 }\n",
+             "a = [ 1, { b" + repeated(".b", kMany) + " = 1 } ]\n",
+             "\xef\xbb\xbf[a" + repeated(".a", kMany) + "]\n",
+         }) {
+        INFO(text.substr(0, 40));
+        CHECK_THAT(message_of(text),
+                   Catch::StartsWith("run.toml: line 1: nested deeper than 32 levels"));
+    }
+    CHECK_THAT(message_of("# a.a\n\n[a]\nb" + repeated(".a", 32) + " = 1\n"),
+               Catch::StartsWith("run.toml: line 4: nested deeper than 32 levels"));
+    // What only looks like nesting is read.
+    const std::string dots = repeated(".", 1000) + repeated("[{", 1000);
+    for (const std::string& text :
+         {"# " + dots, "# a\n  # " + dots, "x = \"" + dots + "\"", "x = \"\\\"" + dots + "\"",
+          "x = '" + dots + "\\'", "x = \"\"\"\n\"" + dots + "\"\"\"\"\"",
+          "x = \"\"\"\\\"\"\"" + dots + "\"\"\"", "x = '''\n'" + dots + "''''",
+          "x = \"\" # " + dots, "x = [" + repeated("0.5,", 1000) + "]", repeated("[a.b]\n", 1)}) {
+        INFO(text.substr(0, 40));
+        CHECK_THAT(message_of(text), !Catch::Contains("nested"));
+    }
+    CHECK_THAT(message_of("x = \"\"\"a\"\"\"\"\"\ny" + repeated(".y", 40) + " = 1"),
+               Catch::Contains("line 2: nested deeper"));
+}
+
+TEST_CASE("a text of any size is refused before it is parsed", "[persist][settings_error]") {
+    CHECK_THAT(message_of(std::string(1'000'001, ' ')),
+               Catch::StartsWith("run.toml: line 1: the text has 1000001 bytes, at most 1000000"));
+}

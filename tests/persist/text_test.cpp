@@ -28,6 +28,12 @@ TEST_CASE("bytes that are not UTF-8 are replaced one by one", "[persist][quoted_
     CHECK(quoted_text("\xf4\x90\x80\x80") == "\"????\"");  // beyond Unicode
 }
 
+TEST_CASE("characters that steer a terminal are escaped", "[persist][quoted_text]") {
+    CHECK(quoted_text("\xc2\x9b") == "\"\\u009b\"");
+    CHECK(quoted_text("RED\xe2\x80\xae") == "\"RED\\u202e\"");
+    CHECK(quoted_text("\xef\xbb\xbf") == "\"\\ufeff\"");
+}
+
 TEST_CASE("messages show foreign text short and printable", "[persist][error_list]") {
     CHECK(in_quotes("a\nb") == "\"a?b\"");
     CHECK(shown(std::string(1000, 'x')) == std::string(48, 'x') + "...");

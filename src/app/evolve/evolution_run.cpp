@@ -11,6 +11,7 @@
 #include "app/trial/founder_files.h"
 #include "app/trial/score_notice.h"
 #include "cluster/join_cluster.h"
+#include "core/files/private_folder.h"
 #include "core/text/shell_word.h"
 #include "core/threads/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
@@ -32,7 +33,6 @@
 #include <optional>
 #include <span>
 #include <system_error>
-#include <unistd.h>
 
 namespace cambrian {
 namespace {
@@ -56,11 +56,14 @@ Result<std::filesystem::path> save_champion(const std::filesystem::path& path,
                                             const EvolutionKinds& kinds) {
     const Status saved = save_creature(path, champion, kinds);
     if (saved) return path;
-    std::error_code failure;
-    const std::filesystem::path refuge =
-        std::filesystem::temp_directory_path(failure) /
-        fmt::format("rescued-{}-{}", ::getpid(), path.filename().string());
-    if (failure || !save_creature(refuge, champion, kinds)) return saved.error();
+    const Result<std::filesystem::path> folder = make_lasting_private_folder();
+    if (!folder) return saved.error();
+    const std::filesystem::path refuge = *folder / path.filename();
+    if (!save_creature(refuge, champion, kinds)) {
+        std::error_code ignored;
+        std::filesystem::remove(*folder, ignored);
+        return saved.error();
+    }
     return Error{fmt::format("{}; the champion is in {}", saved.error().message, refuge.string())};
 }
 

@@ -1,18 +1,21 @@
 #include "app/process/messages.h"
 
 #include "core/files/output_stream.h"
+#include "core/text/shown_text.h"
+
+#include <fmt/core.h>
 
 #include <cstdio>
 
 namespace cambrian {
 
 void say(std::string_view message) {
-    std::fprintf(stderr, "cambrian: %.*s\n", static_cast<int>(message.size()), message.data());
+    std::fprintf(stderr, "cambrian: %s\n", shown_lines(message).c_str());
 }
 
 void say_of(const std::string& file, const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings)
-        std::fprintf(stderr, "cambrian: %s: %s\n", file.c_str(), warning.c_str());
+        say(fmt::format("{}: {}", file, warning));
 }
 
 ExitStatus fail(const Error& error, ExitStatus status) {
@@ -22,7 +25,7 @@ ExitStatus fail(const Error& error, ExitStatus status) {
 
 Status print(std::string_view text) {
     OutputStream output = OutputStream::standard_output();
-    if (Status written = output.write(text); !written) return written;
+    if (Status written = output.write(shown_lines(text)); !written) return written;
     return output.finish();
 }
 

@@ -9,6 +9,9 @@
 
 namespace cambrian {
 
+// Everything that is printed passes these functions, which let no text of a file steer the terminal
+// (core/text/shown_text.h).
+
 // Prints a message to standard error, after the program's name.
 void say(std::string_view message);
 

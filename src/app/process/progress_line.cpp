@@ -1,5 +1,7 @@
 #include "app/process/progress_line.h"
 
+#include "core/text/shown_text.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -65,7 +67,7 @@ void ProgressLine::draw_until(const std::stop_token& stop) {
 }
 
 void ProgressLine::draw() const {
-    std::fprintf(stderr, "\r%s\033[K", text_().c_str());
+    std::fprintf(stderr, "\r%s\033[K", shown_whole(text_()).c_str());
 }
 
 void ProgressLine::clear() {

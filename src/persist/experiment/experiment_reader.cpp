@@ -1,6 +1,7 @@
 #include "persist/experiment/experiment_reader.h"
 
 #include "core/text/parsed_number.h"
+#include "core/text/shown_text.h"
 #include "evolution/individual/population_digest.h"
 #include "persist/records/experiment_schema.h"
 #include "persist/records/individual_reader.h"
@@ -19,7 +20,6 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kLargestPopulation = 100'000;
-constexpr std::size_t kLongestVersion = 64;     // bytes
 constexpr std::size_t kMostSettings = 100'000;  // bytes of one settings text
 constexpr std::int64_t kLeastRow = 8;           // least bytes per row, approximately
 constexpr std::size_t kMostCells = 25;
@@ -27,8 +27,7 @@ constexpr std::size_t kMostCells = 25;
 template <std::size_t Count>
 std::size_t index_of(std::string_view name, const std::array<std::string_view, Count>& names) {
     const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-        throw DatabaseError(fmt::format("\"{}\" is not known", name.substr(0, 40)));
+    if (found == names.end()) throw DatabaseError(in_quotes(name) + " is not known");
     return static_cast<std::size_t>(found - names.begin());
 }
 
@@ -82,8 +81,7 @@ SettingsPtr read_settings(const Database& database, std::int64_t id, const Evolu
     row.bind(id);
     const std::string name = fmt::format("settings {}", id);
     if (!row.step()) throw DatabaseError(name + " are missing");
-    if (row.text(0).size() > kMostSettings) throw DatabaseError(name + " are too large");
-    Result<ExperimentSettings> parsed = parse_settings(row.text(0), name, kinds);
+    Result<ExperimentSettings> parsed = parse_settings(row.text(0, kMostSettings), name, kinds);
     if (!parsed) throw DatabaseError(parsed.error().message);
     parsed->world.opponents = read_opponents(database, id, kinds);
     return std::make_shared<const ExperimentSettings>(std::move(*parsed));
@@ -159,7 +157,7 @@ private:
         while (row.step()) {
             SimulatorChange change;
             read_column(row, 0, change.generation);
-            change.version = row.text(1).substr(0, kLongestVersion);
+            change.version = row.word(1);
             if (!simulators.empty() && change.generation <= simulators.back().generation)
                 throw DatabaseError("a generation has two simulators");
             simulators.push_back(std::move(change));
@@ -239,7 +237,7 @@ private:
         } else if (command == "rescore") {
             journal.push_back({generation, RescorePopulation{}});
         } else {
-            throw DatabaseError(fmt::format("unknown command \"{}\"", command));
+            throw DatabaseError("unknown command " + in_quotes(command));
         }
     }
 
@@ -345,7 +343,7 @@ private:
         const auto picks = parse_picks(text);
         if (!picks || std::any_of(picks->begin(), picks->end(),
                                   [cells](std::size_t cell) { return cell >= cells; }))
-            throw DatabaseError(fmt::format("\"{}\" are no picks", text.substr(0, 40)));
+            throw DatabaseError(in_quotes(text) + " are no picks");
         return *picks;
     }
 
@@ -428,7 +426,7 @@ JudgedIndividual read_champion(const Database& database, std::uint32_t generatio
 std::optional<std::string> read_only_simulator(const Database& database) {
     Statement row = database.prepare("SELECT version, generation FROM simulators LIMIT 2");
     if (!row.step() || row.integer(1) != 0) return std::nullopt;
-    std::string version(row.text(0).substr(0, kLongestVersion));
+    std::string version = row.word(0);
     return row.step() ? std::nullopt : std::optional(std::move(version));
 }
 

@@ -216,10 +216,25 @@ Result<std::unique_ptr<PreserveFile>> PreserveFile::create(const std::filesystem
             writer.begin(origin);
             writer.write(chronicle, preserve);
             transaction.commit();
+            database.empty_log();
         }
         remove_companions(pending->target());
         if (Status moved = pending->commit(PendingFile::Existing::kRefuse); !moved)
             return moved.error();
+    } catch (const DatabaseError& error) {
+        return preserve_failure(kKeepingPreserve, path, error.what());
+    }
+    Result<std::unique_ptr<PreserveFile>> file = begun_in(path, kinds);
+    if (!file) {
+        std::filesystem::remove(path, unknown);
+        remove_companions(path);
+    }
+    return file;
+}
+
+Result<std::unique_ptr<PreserveFile>> PreserveFile::begun_in(const std::filesystem::path& path,
+                                                             const EvolutionKinds& kinds) {
+    try {
         Result<FileLock> lock = FileLock::take(path);
         if (!lock) return preserve_failure(kKeepingPreserve, path, lock.error().message);
         Database database = writable(path);

@@ -85,6 +85,9 @@ public:
 private:
     struct Parts;
     explicit PreserveFile(std::unique_ptr<Parts> parts);
+    // Opens a file that was just made.
+    static Result<std::unique_ptr<PreserveFile>> begun_in(const std::filesystem::path& path,
+                                                          const EvolutionKinds& kinds);
     Status change(const std::function<void()>& rows);
 
     std::unique_ptr<Parts> parts_;

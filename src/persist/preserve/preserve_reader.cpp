@@ -1,3 +1,4 @@
+#include "core/text/shown_text.h"
 #include "persist/preserve/preserve_tables.h"
 #include "persist/settings/settings_file.h"
 
@@ -7,8 +8,9 @@ namespace cambrian {
 namespace {
 
 constexpr std::int64_t kMostWords = kMostSnapshotBytes / 8;
-constexpr std::size_t kMostDeflation = 1032;           // bytes from one of deflated data
-constexpr std::int64_t kMostSettingsText = 1'000'000;  // bytes
+constexpr std::size_t kMostDeflation = 1032;     // bytes from one of deflated data
+constexpr std::size_t kLongestFact = 1'000'000;  // bytes; settings are the longest
+constexpr std::size_t kLongestPins = 2'200'000;  // bytes
 constexpr std::size_t kMostFounders = 1000;
 constexpr int kMostSnapshots = 100'000;
 constexpr int kMostInterventions = 1'000'000;
@@ -16,11 +18,10 @@ constexpr int kMostPieces = 100'000;   // of the museum
 constexpr int kMostRows = 10'000'000;  // of the series
 
 std::string fact(const Database& database, const char* name) {
-    Statement row =
-        database.prepare("SELECT value FROM facts WHERE name = ? AND length(value) < ?");
-    row.bind(name, kMostSettingsText);
+    Statement row = database.prepare("SELECT value FROM facts WHERE name = ?");
+    row.bind(name);
     if (!row.step()) throw DatabaseError(fmt::format("the fact \"{}\" is missing", name));
-    return std::string(row.text(0));
+    return std::string(row.text(0, kLongestFact));
 }
 
 // Returns the settings' text. Where it does not say how many of the founders are rhythmic, the file
@@ -74,7 +75,7 @@ std::vector<Intervention> read_interventions(const Database& database,
     while (row.step()) {
         Intervention& each = all.emplace_back();
         read_column(row, 0, each.tick);
-        each.what = row.text(1).substr(0, 64);
+        each.what = row.word(1);
         read_column(row, 2, each.number);
         each.x = row.real(3);
         each.y = row.real(4);
@@ -93,7 +94,7 @@ std::vector<Intervention> read_interventions(const Database& database,
 std::optional<Pins> read_pins(const Database& database) {
     Statement row = database.prepare("SELECT value FROM facts WHERE name = ?");
     row.bind(kPinsFact);
-    return row.step() ? pins_of(row.text(0)) : Pins();
+    return row.step() ? pins_of(row.text(0, kLongestPins)) : Pins();
 }
 
 std::vector<std::uint64_t> read_snapshot_ticks(const Database& database) {
@@ -127,7 +128,7 @@ std::vector<MuseumPiece> read_museum(const Database& database, const EvolutionKi
         MuseumPiece& piece = museum.emplace_back();
         read_column(row, 0, piece.number);
         read_column(row, 1, piece.tick);
-        piece.reason = row.text(2).substr(0, 64);
+        piece.reason = row.word(2);
         read_column(row, 3, piece.count);
         piece.genome = sound(genotypes.genome(piece.number));
     }
@@ -140,7 +141,7 @@ SavedPreserve read_preserve(const Database& database, const EvolutionKinds& kind
         parse_settings(settings_text(database), "settings", kinds, SettingsUse::kPreserve);
     if (!settings) throw DatabaseError(settings.error().message);
     saved.origin.settings = std::make_shared<const ExperimentSettings>(*std::move(settings));
-    saved.origin.simulator = fact(database, "simulator").substr(0, 64);
+    saved.origin.simulator = shown(fact(database, "simulator"), 64);
     saved.origin.founders = read_founders(database, kinds);
     Statement row = database.prepare("SELECT tick, digest FROM snapshots ORDER BY tick LIMIT ?");
     row.bind(kMostSnapshots);
@@ -181,7 +182,7 @@ Result<PreserveState> read_snapshot(const Database& database, const SnapshotEntr
         if (!genome) return genome.error();
         method.bind(number);
         if (!method.step()) return Error{fmt::format("creature {} is missing", number)};
-        return Origin{*genome, std::string(method.text(0).substr(0, 64))};
+        return Origin{*genome, method.word(0)};
     });
     if (state && state->tick != entry.tick) return Error{"the snapshot is of another time"};
     return state;

@@ -8,6 +8,8 @@
 namespace cambrian {
 namespace {
 
+constexpr std::size_t kLongestDefinition = 20'000;  // bytes of a table's
+
 // Returns the definitions of the tables of version 2.
 std::string tables() {
     return "CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;"
@@ -68,7 +70,7 @@ std::map<std::string, std::string> statements_of(const Database& database) {
     Statement schema =
         database.prepare("SELECT name, sql FROM sqlite_schema WHERE type = 'table' LIMIT 1000");
     while (schema.step())
-        statements.emplace(schema.text(0), schema.text(1));
+        statements.emplace(schema.text(0), schema.text(1, kLongestDefinition));
     return statements;
 }
 

@@ -1,5 +1,6 @@
 #include "persist/records/individual_reader.h"
 
+#include "core/text/shown_text.h"
 #include "evolution/evaluation/evaluation.h"
 #include "persist/creature/creature_format.h"
 #include "persist/records/experiment_schema.h"
@@ -18,12 +19,12 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kLongestWord = 64;  // bytes
+constexpr std::size_t kLongestScores = 10'000;  // bytes
 
 template <class Choice>
 Choice choice_of(std::string_view name, const std::vector<std::string>& names) {
     const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) throw DatabaseError(fmt::format("\"{}\" is no outcome", name));
+    if (found == names.end()) throw DatabaseError(in_quotes(name) + " is no outcome");
     return static_cast<Choice>(found - names.begin());
 }
 
@@ -93,9 +94,9 @@ IndividualReader::Row IndividualReader::read_row(std::int64_t id) {
     read_column(row, 3, one.parents[0]);
     read_column(row, 4, one.parents[1]);
     const std::int64_t mother = row.is_null(5) ? 0 : row.integer(5);
-    one.method = row.text(6).substr(0, kLongestWord);
+    one.method = row.word(6);
     if (!row.is_null(7)) {
-        auto mutations = parse_mutations(row.text(7));
+        auto mutations = parse_mutations(row.text(7, kLongestMutations));
         if (!mutations) throw DatabaseError(mutations.error().message);
         one.mutations = std::move(*mutations);
     }
@@ -138,7 +139,7 @@ EvaluationResult IndividualReader::read_result(const RowRef& row) {
     next = read_columns<Behavior>(found, next, kBehaviorColumns, result.behavior);
     next = read_columns<SceneAudit>(found, next, kAuditColumns, result.audit);
     next = read_columns<EvaluationResult>(found, next, kLaterResultColumns, result);
-    if (!found.is_null(next)) result.scores = scores_of(found.text(next));
+    if (!found.is_null(next)) result.scores = scores_of(found.text(next, kLongestScores));
     check_finite(result);
     return result;
 }

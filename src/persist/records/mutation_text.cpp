@@ -9,7 +9,7 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kWords = 4;
-constexpr JsonLimits kMutationLimits{.bytes = 100'000};
+constexpr JsonLimits kMutationLimits{.bytes = kLongestMutations};
 
 bool is_record(const JsonValue& value) {
     return value.kind == JsonValue::Kind::kList && value.values.size() == kWords &&

@@ -5,6 +5,7 @@
 #include "breeding/mutation_kind.h"
 #include "core/result.h"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,8 @@
 #include <vector>
 
 namespace cambrian {
+
+inline constexpr std::size_t kLongestMutations = 100'000;  // bytes
 
 // Returns nothing if there are no mutations.
 std::optional<std::string> mutations_text(std::span<const MutationRecord> mutations);

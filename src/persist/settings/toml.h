@@ -17,11 +17,16 @@
 #include <toml++/toml.h>
 #pragma pop_macro("NDEBUG")
 
+#include <cstddef>
 #include <string_view>
 
 namespace cambrian {
 
-// Returns the table of a TOML document, or the first error and its place.
+inline constexpr std::size_t kLargestToml = 1'000'000;  // bytes
+
+// Returns the table of a TOML document, or the first error and its place. Texts that are larger
+// than kLargestToml or nested deeper than kDeepestToml (toml_nesting.h) are errors. All TOML is
+// parsed by this function.
 toml::parse_result parse_toml(std::string_view text);
 
 }  // namespace cambrian

@@ -3,6 +3,7 @@
 // Rows of a table as lines of CSV.
 
 #include "core/text/number_text.h"
+#include "core/text/shown_text.h"
 #include "persist/sqlite/columns.h"
 #include "persist/text/digest_text.h"
 
@@ -15,7 +16,7 @@ inline std::string cell_text(double number) {
     return real_text(number);
 }
 inline std::string cell_text(const std::string& text) {
-    return text;
+    return csv_cell(text);
 }
 template <class Whole>
 std::string cell_text(Whole number) {

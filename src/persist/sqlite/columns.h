@@ -36,7 +36,7 @@ inline void read_column(const Statement& statement, int column, double& place) {
     place = statement.real(column);
 }
 inline void read_column(const Statement& statement, int column, std::string& place) {
-    place = statement.text(column);
+    place = statement.word(column);
 }
 inline void read_column(const Statement& statement, int column, std::uint64_t& place) {
     place = static_cast<std::uint64_t>(statement.integer(column));

@@ -1,5 +1,9 @@
 #include "persist/sqlite/database.h"
 
+#include "core/files/private_folder.h"
+#include "core/text/shown_text.h"
+#include "persist/sqlite/safe_files.h"
+
 #include <fmt/core.h>
 
 #include <cerrno>
@@ -11,14 +15,25 @@
 namespace cambrian {
 namespace {
 
-constexpr int kLongestValue = 5'000'000;  // bytes, unless more are allowed
-constexpr int kPatience = 2000;           // ms to wait while another program reads or writes
-constexpr int kWriterCache = 256;         // kB of pages; writers hardly read what they wrote
+constexpr int kLongestValue = 5'000'000;       // bytes, unless more are allowed
+constexpr std::size_t kLongestShownWord = 64;  // bytes
+constexpr int kPatience = 2000;                // ms to wait while another program reads or writes
+constexpr int kWriterCache = 256;              // kB of pages; writers hardly read what they wrote
 
+// Returns whether it is a database without a name, which SQLite keeps in memory and, if it is
+// large, in the temporary folder.
+bool is_temporary(sqlite3* connection) {
+    const char* const name = sqlite3_db_filename(connection, "main");
+    return name == nullptr || *name == '\0';
+}
+
+// SQLite's messages quote names that files choose.
 [[noreturn]] void fail(sqlite3* connection, int code) {
+    const std::string reason = shown(sqlite3_errmsg(connection), kLongestReason);
     switch (code & 0xff) {
         case SQLITE_FULL:
-            throw DatabaseError("the disk is full");
+            throw DiskFullError(is_temporary(connection) ? of_temporary_folder("it is full")
+                                                         : std::string("the disk is full"));
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
             throw DatabaseError("another program is using it");
@@ -29,9 +44,9 @@ constexpr int kWriterCache = 256;         // kB of pages; writers hardly read wh
         case SQLITE_NOTADB:
             throw DatabaseError("it is not an SQLite database");
         case SQLITE_CORRUPT:
-            throw DatabaseError(fmt::format("it is damaged ({})", sqlite3_errmsg(connection)));
+            throw DatabaseError(fmt::format("it is damaged ({})", reason));
         default:
-            throw DatabaseError(sqlite3_errmsg(connection));
+            throw DatabaseError(reason);
     }
 }
 
@@ -163,11 +178,19 @@ double Statement::real(int column) const {
     return sqlite3_column_double(statement_.get(), column);
 }
 
-std::string_view Statement::text(int column) const {
+std::string_view Statement::text(int column, std::size_t longest) const {
     if (sqlite3_column_type(statement_.get(), column) != SQLITE_TEXT) refuse(column, "a text");
     const auto* letters = sqlite3_column_text(statement_.get(), column);
-    const int size = sqlite3_column_bytes(statement_.get(), column);
-    return {reinterpret_cast<const char*>(letters), static_cast<std::size_t>(size)};
+    const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
+    if (size > longest)
+        throw DatabaseError(fmt::format("column \"{}\": a text of {} bytes; expected at most {}",
+                                        sqlite3_column_name(statement_.get(), column), size,
+                                        longest));
+    return {reinterpret_cast<const char*>(letters), size};
+}
+
+std::string Statement::word(int column) const {
+    return shown(text(column), kLongestShownWord);
 }
 
 std::string_view Statement::bytes(int column) const {
@@ -183,6 +206,7 @@ void Database::Close::operator()(sqlite3* connection) const {
 
 Database::Database(const std::filesystem::path& named, Access access) {
     const std::filesystem::path path = usable_name(named, access);
+    if (!path.empty() && access != Access::kReadUnchanging) check_journal(path);
     open(access == Access::kReadUnchanging ? unchanging(path) : path.string(), flags_of(access));
     distrust();
 }
@@ -190,7 +214,7 @@ Database::Database(const std::filesystem::path& named, Access access) {
 void Database::open(const std::string& name, int flags) {
     sqlite3* connection = nullptr;
     const int code =
-        sqlite3_open_v2(name.c_str(), &connection, flags | SQLITE_OPEN_NOMUTEX, nullptr);
+        sqlite3_open_v2(name.c_str(), &connection, flags | SQLITE_OPEN_NOMUTEX, safe_file_system());
     connection_.reset(connection);
     if (code != SQLITE_OK) fail(connection, code);
 }
@@ -234,6 +258,13 @@ void Database::make_durable() {
     mode.finish();
     execute(fmt::format("PRAGMA cache_size = -{}", kWriterCache));
     execute("PRAGMA synchronous = FULL");
+}
+
+void Database::empty_log() {
+    Statement checkpoint = prepare("PRAGMA wal_checkpoint(TRUNCATE)");
+    if (checkpoint.step() && checkpoint.integer(0) != 0)
+        throw DatabaseError("another program is using it");
+    checkpoint.finish();
 }
 
 void Database::execute(const std::string& sql) {

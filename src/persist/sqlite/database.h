@@ -3,6 +3,7 @@
 // SQLite with values and exceptions, for this layer only. Functions of the layer's interface must
 // catch DatabaseError.
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -22,10 +23,17 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+class DiskFullError : public DatabaseError {
+public:
+    using DatabaseError::DatabaseError;
+};
+
 // A statement, which can be run repeatedly. Integers have 64 bits; unsigned ones keep their bits,
 // so that large ones look negative in SQL.
 class Statement {
 public:
+    static constexpr std::size_t kLongestWord = 1000;  // bytes of names, kinds and short lists
+
     Statement(sqlite3* database, std::string_view sql);
 
     // Binds the values to the parameters from the first one on, in order.
@@ -70,7 +78,10 @@ public:
     bool is_null(int column) const;
     std::int64_t integer(int column) const;
     double real(int column) const;  // null reads as not-a-number, which SQLite cannot store
-    std::string_view text(int column) const;   // valid until the next step
+    // Fails if the text has more than `longest` bytes. Valid until the next step.
+    std::string_view text(int column, std::size_t longest = kLongestWord) const;
+    // Returns a short text as it may be shown (core/text/shown_text.h): a name, a kind, a version.
+    std::string word(int column) const;
     std::string_view bytes(int column) const;  // valid until the next step
 
 private:
@@ -105,6 +116,9 @@ public:
     // Switches to a write-ahead log. Readers then do not wait for the writer, and a commit is on
     // the disk when it returns. Fails if the file cannot have such a log.
     void make_durable();
+
+    // Takes all changes from the write-ahead log into the file, or fails; nobody else may use it.
+    void empty_log();
 
     // Allows texts and blobs of so many bytes; 5 MB are allowed otherwise.
     void allow_values_of(int bytes) const;

@@ -1,6 +1,12 @@
 #include "persist/sqlite/read_only_database.h"
 
-#include <cstdlib>
+#include "core/files/private_folder.h"
+#include "persist/sqlite/safe_files.h"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <cstdint>
 #include <sys/stat.h>
 #include <system_error>
 
@@ -10,6 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMostAttempts = 5;
+constexpr std::uintmax_t kMostChanges = 512'000'000;  // bytes of a log or journal
 
 // The identity and last change of a file; all 0 if there is none.
 struct FileFacts {
@@ -53,42 +60,45 @@ struct FilesOfDatabase {
     bool in_use() const { return log.size > 0 && journal.size == 0 && shared; }
 };
 
-// A temporary folder, removed at the end of its scope.
-class PrivateFolder {
-public:
-    PrivateFolder() {
-        std::error_code failure;
-        std::string name = (fs::temp_directory_path(failure) / "cambrian-XXXXXX").string();
-        if (failure || ::mkdtemp(name.data()) == nullptr)
-            throw DatabaseError("no temporary folder can be made to read it in");
-        path_ = name;
-    }
-    ~PrivateFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    PrivateFolder(const PrivateFolder&) = delete;
-    PrivateFolder& operator=(const PrivateFolder&) = delete;
-    const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
-
+// Copies a file of this user to the temporary folder.
 void copy_if_there(const fs::path& from, const fs::path& to) {
     std::error_code failure;
     if (!fs::exists(from, failure)) return;
-    if (!fs::copy_file(from, to, failure)) throw DatabaseError(failure.message());
+    if (!fs::copy_file(from, to, failure)) {
+        const bool full = failure == std::errc::no_space_on_device;
+        throw DatabaseError(full ? of_temporary_folder(failure.message()) : failure.message());
+    }
     fs::permissions(to, fs::perms::owner_read | fs::perms::owner_write, failure);
+}
+
+// SQLite's own programs keep the log at a few megabytes.
+void check_companion(const fs::path& companion) {
+    std::error_code missing;
+    const std::uintmax_t size = fs::file_size(companion, missing);
+    if (missing || size <= kMostChanges) return;
+    throw DatabaseError(fmt::format(
+        "{} beside it has {} MB, at most {} MB are read without write access; what continues the "
+        "file takes them in",
+        companion.filename().string(), size / 1'000'000, kMostChanges / 1'000'000));
 }
 
 // Opens a copy in the state that SQLite's recovery after a crash gives.
 Database recovered(const fs::path& path) {
-    const PrivateFolder folder;
-    const fs::path copy = folder.path() / "copy";
+    check_journal(path);
+    for (const char* ending : {"-wal", "-journal"})
+        check_companion(beside(path, ending));
+    const Result<PrivateFolder> folder = PrivateFolder::make();
+    if (!folder) throw DatabaseError("it has to be copied to " + folder.error().message);
+    const fs::path copy = folder->path() / "copy";
     for (const char* ending : {"", "-wal", "-journal"})
         copy_if_there(beside(path, ending), beside(copy, ending));
-    return Database(copy, Database::Access::kWrite).copy();
+    try {
+        Database database(copy, Database::Access::kWrite);
+        database.execute("PRAGMA locking_mode = EXCLUSIVE");  // needs no further file
+        return database.copy();
+    } catch (const DiskFullError&) {
+        throw DatabaseError(of_temporary_folder(std::generic_category().message(ENOSPC)));
+    }
 }
 
 Database open_as_it_is(const fs::path& path, const FilesOfDatabase& files) {

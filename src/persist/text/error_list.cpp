@@ -16,19 +16,6 @@ std::string line_of(std::string_view code, std::string_view place, std::string_v
 
 }  // namespace
 
-std::string shown(std::string_view text, std::size_t longest) {
-    std::string result;
-    for (const char letter : text.substr(0, longest)) {
-        const bool printable = static_cast<unsigned char>(letter) >= 0x20 && letter != 0x7f;
-        result += printable ? letter : '?';
-    }
-    return text.size() > longest ? result + "..." : result;
-}
-
-std::string in_quotes(std::string_view text) {
-    return fmt::format("\"{}\"", shown(text));
-}
-
 void ErrorList::error(std::string_view code, std::string_view place, std::string_view message) {
     if (full()) return;
     errors_.push_back(line_of(code, place, message));

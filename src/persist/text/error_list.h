@@ -4,6 +4,7 @@
 // values (persist/README.md 2).
 
 #include "core/result.h"
+#include "core/text/shown_text.h"
 
 #include <cstddef>
 #include <string>
@@ -11,13 +12,6 @@
 #include <vector>
 
 namespace cambrian {
-
-inline constexpr std::size_t kLongestQuote = 48;    // bytes
-inline constexpr std::size_t kLongestReason = 400;  // bytes of another library's message
-
-// Quotes text from a file for a message: shortened, without control characters.
-std::string shown(std::string_view text, std::size_t longest = kLongestQuote);
-std::string in_quotes(std::string_view text);
 
 class ErrorList {
 public:

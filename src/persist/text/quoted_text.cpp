@@ -1,5 +1,6 @@
 #include "persist/text/quoted_text.h"
 
+#include "core/text/shown_text.h"
 #include "persist/text/digest_text.h"
 
 #include <algorithm>
@@ -7,22 +8,6 @@
 
 namespace cambrian {
 namespace {
-
-// Returns the length of the UTF-8 character at the start, or 0 if there is none.
-std::size_t utf8_length(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char lead = byte(0);
-    if (lead < 0x80) return 1;
-    const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-    if (lead < 0xc2 || lead > 0xf4 || text.size() < length) return 0;
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xc0) != 0x80) return 0;
-    }
-    const bool overlong = (lead == 0xe0 && byte(1) < 0xa0) || (lead == 0xf0 && byte(1) < 0x90);
-    const bool surrogate = lead == 0xed && byte(1) >= 0xa0;
-    const bool beyond = lead == 0xf4 && byte(1) >= 0x90;
-    return overlong || surrogate || beyond ? 0 : length;
-}
 
 // Whether JSON leaves the letter as it is.
 bool is_plain(char letter) {
@@ -39,6 +24,16 @@ void append_escaped(std::string& result, char letter) {
     }
 }
 
+// Appends a character of two or three bytes that cannot be shown.
+void append_hidden(std::string& result, std::string_view character) {
+    unsigned letter =
+        static_cast<unsigned char>(character[0]) & (character.size() == 2 ? 31U : 15U);
+    for (const char byte : character.substr(1))
+        letter = letter << 6 | (static_cast<unsigned char>(byte) & 63U);
+    result += "\\u" + hex_pairs(std::array{static_cast<std::uint8_t>(letter >> 8),
+                                           static_cast<std::uint8_t>(letter)});
+}
+
 }  // namespace
 
 void append_quoted(std::string& result, std::string_view text) {
@@ -52,6 +47,8 @@ void append_quoted(std::string& result, std::string_view text) {
         const std::size_t length = utf8_length(text);
         if (length == 1) {
             append_escaped(result, text.front());
+        } else if ((length == 2 || length == 3) && !is_showable(text.substr(0, length))) {
+            append_hidden(result, text.substr(0, length));
         } else {
             result += length == 0 ? "?" : text.substr(0, length);
         }

@@ -1,5 +1,6 @@
 #include "studio/host/window.h"
 
+#include "core/text/shown_text.h"
 #include "render/opengl/gl.h"
 
 #include <GLFW/glfw3.h>
@@ -147,8 +148,10 @@ void Window::install_callbacks() {
 }
 
 void Window::set_title(const std::string& title) {
-    if (title == title_) return;
-    title_ = title;
+    // The title may be a creature's name.
+    const std::string clean = shown_whole(title);
+    if (clean == title_) return;
+    title_ = clean;
     glfwSetWindowTitle(window_, title_.c_str());
 }
 
