@@ -119,6 +119,8 @@ class Strangers(ProgramTest):
 
     def test_copies_of_a_killed_reader_are_removed_by_the_next(self):
         name = self.crashed()
+        for ending in ["", "-wal"]:
+            shutil.copy(self.folder / (name + ending), self.folder / f"small.cambrian{ending}")
         with open(self.folder / name, "ab") as file:
             file.truncate(300_000_000)  # takes long to copy
         temporary = self.temporary()
@@ -130,7 +132,7 @@ class Strangers(ProgramTest):
         process.wait()
         if not list(temporary.iterdir()):
             self.skipTest("it was read before it could be killed")
-        self.run_program("export", self.crashed(), "--stats", env={"TMPDIR": str(temporary)})
+        self.run_well("export", "small.cambrian", "--stats", env={"TMPDIR": str(temporary)})
         self.assertEqual(list(temporary.iterdir()), [])
 
     # -- nesting and sizes
@@ -249,7 +251,7 @@ class Strangers(ProgramTest):
             if result.returncode == DONE:
                 self.assertEqual(left, ["w.cambrian"])
             else:
-                self.assertIn("disk", result.stderr)
+                self.assertRegex(result.stderr, "the disk is full|No space left on device")
                 self.assertLessEqual(set(left), {"w.cambrian", "w.cambrian-wal", "w.cambrian-shm"})
             if "w.cambrian" in left:
                 self.run_well("export", "disk/w.cambrian", "--series")

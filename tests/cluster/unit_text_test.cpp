@@ -253,3 +253,12 @@ TEST_CASE("a process that cannot be started is trouble, not a failure", "[cluste
     CHECK(apart.failure.empty());
     CHECK(apart.trouble.find("answered something else") != std::string::npos);
 }
+
+TEST_CASE("settings sent by anybody are refused if they nest deeply", "[cluster][unit_text]") {
+    std::string text = "a";
+    for (int i = 0; i < 200'000; ++i)
+        text += ".a";
+    const auto read = read_judging_settings(text + " = 1\n", "settings of a run", kinds());
+    REQUIRE_FALSE(read);
+    CHECK(read.error().message == "settings of a run: line 1: nested deeper than 32 levels");
+}
