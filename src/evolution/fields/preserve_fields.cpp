@@ -210,11 +210,12 @@ Status check_preserve_memory(const PreserveSettings& laws) {
     if (bytes <= kMostPreserveMemory) return {};
     return Error{fmt::format(
         "[preserve] width, height: {} m by {} m with up to {:.3g} plants need about {:.3g} GB of "
-        "memory, at most {} GB are allowed; expected a smaller world, less energy-density or more "
+        "memory, at most {:.1f} GB are allowed; expected a smaller world, less energy-density or "
+        "more "
         "plant-energy",
         short_text(laws.width), short_text(laws.height),
         laws.energy_density * laws.width * laws.height / laws.plant_energy, 1e-9 * bytes,
-        short_text(1e-9 * kMostPreserveMemory))};
+        1e-9 * kMostPreserveMemory)};
 }
 
 std::vector<SettingField> preserve_fields(const EvolutionKinds& kinds) {

@@ -27,13 +27,20 @@ bool is_temporary(sqlite3* connection) {
     return name == nullptr || *name == '\0';
 }
 
+// A full disk also keeps SQLite from making the index of a log, and is then an error of input and
+// output.
+bool is_full(sqlite3* connection, int code) {
+    return code == SQLITE_FULL || code == SQLITE_IOERR_SHMSIZE ||
+           ((code & 0xff) == SQLITE_IOERR && sqlite3_system_errno(connection) == ENOSPC);
+}
+
 // SQLite's messages quote names that files choose.
 [[noreturn]] void fail(sqlite3* connection, int code) {
     const std::string reason = shown(sqlite3_errmsg(connection), kLongestReason);
+    if (is_full(connection, code))
+        throw DiskFullError(is_temporary(connection) ? of_temporary_folder("it is full")
+                                                     : std::string("the disk is full"));
     switch (code & 0xff) {
-        case SQLITE_FULL:
-            throw DiskFullError(is_temporary(connection) ? of_temporary_folder("it is full")
-                                                         : std::string("the disk is full"));
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
             throw DatabaseError("another program is using it");

@@ -60,14 +60,17 @@ struct FilesOfDatabase {
     bool in_use() const { return log.size > 0 && journal.size == 0 && shared; }
 };
 
+std::string no_room() {
+    return of_temporary_folder(std::generic_category().message(ENOSPC));
+}
+
 // Copies a file of this user to the temporary folder.
 void copy_if_there(const fs::path& from, const fs::path& to) {
     std::error_code failure;
     if (!fs::exists(from, failure)) return;
-    if (!fs::copy_file(from, to, failure)) {
-        const bool full = failure == std::errc::no_space_on_device;
-        throw DatabaseError(full ? of_temporary_folder(failure.message()) : failure.message());
-    }
+    if (fs::space(to.parent_path(), failure).available < fs::file_size(from, failure))
+        throw DatabaseError(no_room());
+    if (!fs::copy_file(from, to, failure)) throw DatabaseError(failure.message());
     fs::permissions(to, fs::perms::owner_read | fs::perms::owner_write, failure);
 }
 
@@ -97,7 +100,7 @@ Database recovered(const fs::path& path) {
         database.execute("PRAGMA locking_mode = EXCLUSIVE");  // needs no further file
         return database.copy();
     } catch (const DiskFullError&) {
-        throw DatabaseError(of_temporary_folder(std::generic_category().message(ENOSPC)));
+        throw DatabaseError(no_room());
     }
 }
 
