@@ -26,7 +26,7 @@ struct Shape {
 };
 
 struct SceneFrame {
-    Color background;
+    Color background;                 // may be transparent in a framebuffer of its own
     Backdrop backdrop;                // covers the background if it has a recipe
     std::vector<Shape> shapes;        // from back to front
     std::vector<Skin> skins;          // the same; each says how many shapes are behind it

@@ -13,7 +13,8 @@ constexpr float kEdge = 1.5F;  // pixels around a skin that it may colour
 // Boxes matter to each other up to these multiples of the blend.
 constexpr float kReach = 1.2F;      // their difference in distance
 constexpr float kLift = 0.5F;       // how much farther out a melted outline may be
-constexpr float kLeastTile = 8.0F;  // pixels
+constexpr float kSoftEdge = 0.3F;   // half the width of the edge of a box over others
+constexpr float kLeastTile = 4.0F;  // pixels
 constexpr float kHalfDiagonal = 0.70710678F;
 
 struct Square {
@@ -32,9 +33,11 @@ struct NearBoxes {
         index[count] = box;
         distance[count++] = how_far;
     }
-    void drop_farthest() {
+    // Drops the farthest box, or the one at the back if all are here.
+    void drop_least() {
         const auto last = distance.begin() + static_cast<std::ptrdiff_t>(count);
-        const auto far = std::max_element(distance.begin(), last) - distance.begin();
+        auto far = std::max_element(distance.begin(), last) - distance.begin();
+        if (distance[static_cast<std::size_t>(far)] < 0.0F) far = 0;
         std::copy(distance.begin() + far + 1, last, distance.begin() + far);
         std::copy(index.begin() + far + 1, index.begin() + static_cast<std::ptrdiff_t>(count),
                   index.begin() + far);
@@ -59,7 +62,7 @@ public:
             return;
         }
         while (near.count > kTileBoxes)
-            near.drop_farthest();
+            near.drop_least();
         SkinTile tile{square.x, square.y, square.side, square.side};
         tile.count = static_cast<std::uint8_t>(near.count);
         std::copy_n(near.index.begin(), near.count, tile.boxes.begin());
@@ -80,7 +83,11 @@ private:
         NearBoxes near;
         if (least - reach - kLift * blend_ > kEdge) return near;
         const float farthest = std::max(least + reach, 0.0F) + kReach * blend_;
-        for (std::size_t i = 0; i < all.count; ++i) {
+        // A box that covers all of the square hides those behind it.
+        std::size_t behind = all.count;
+        while (behind > 1 && all.distance[behind - 1] + reach > -(kSoftEdge * blend_ + kEdge))
+            --behind;
+        for (std::size_t i = behind - 1; i < all.count; ++i) {
             if (all.distance[i] - reach < farthest) near.add(all.index[i], all.distance[i]);
         }
         return near;
@@ -152,7 +159,7 @@ void add_skin_tiles(std::vector<SkinTile>& tiles, std::span<const TileBox> boxes
     top = std::min(height, top + margin);
     if (left >= right || bottom >= top) return;
     const float extent = std::max(right - left, top - bottom);
-    const float side = extent > 300.0F ? 32.0F : extent > 48.0F ? 16.0F : kLeastTile;
+    const float side = extent > 300.0F ? 32.0F : extent > 48.0F ? 16.0F : 8.0F;
     const std::size_t first = tiles.size();
     Splitter splitter(tiles, boxes, blend);
     // Sides are whole numbers of pixels, so that the sums are exact.

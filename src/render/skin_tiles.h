@@ -42,7 +42,7 @@ float distance_to_box(const TileBox& box, float x, float y);
 
 // Adds the tiles of a skin within a target of this size; those with the same boxes follow each
 // other. The first box is in front; those after kMostSkinBoxes are left out. `blend` is in pixels.
-// Where more than kTileBoxes meet within 8 pixels, the farthest are left out.
+// Where more than kTileBoxes meet within 4 pixels, the farthest are left out.
 void add_skin_tiles(std::vector<SkinTile>& tiles, std::span<const TileBox> boxes, float blend,
                     float width, float height);
 

@@ -41,6 +41,7 @@ constexpr std::array kSizes = {
     Size{"bottom-height", &PanelSizes::bottom_height},
 };
 constexpr std::array kGhostChoices = {"none", "improvements", "every-tenth", "across"};
+constexpr std::array kLooks = {"life", "glass", "mechanics"};
 constexpr float kMostSize = 4000.0F;
 
 void read_speed(const std::string& value, ViewState& view) {
@@ -66,6 +67,9 @@ void read_line(const std::string& name, const std::string& value, ViewState& vie
     for (std::size_t i = 0; i < kGhostChoices.size(); ++i) {
         if (name == "ghosts" && value == kGhostChoices[i])
             view.ghosts = static_cast<GhostChoice>(i);
+    }
+    for (std::size_t i = 0; i < kLooks.size(); ++i) {
+        if (name == "look" && value == kLooks[i]) view.look = static_cast<LookMode>(i);
     }
     read_size(name, value, view.panels);
     for (const TimelinePlot& plot : timeline_plots()) {
@@ -120,6 +124,7 @@ std::string write_view(const ViewState& view) {
         text +=
             fmt::format("{} = {:.0f}\n", size.name, static_cast<double>(view.panels.*size.place));
     text += fmt::format("theme = {}\n", view.theme == ThemeKind::kLight ? "light" : "dark");
+    text += fmt::format("look = {}\n", kLooks[static_cast<std::size_t>(view.look)]);
     text += fmt::format("timeline = {}\n", timeline_plot(view.quantity).id);
     text += fmt::format("population = {}\n", tile_sorting(view.order).id);
     return text + fmt::format("speed = {:g}\n", view.speed);

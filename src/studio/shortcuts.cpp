@@ -31,6 +31,12 @@ void switch_theme(const FrameContext& frame, Requests& out) {
     out.ask(ChangeView{view});
 }
 
+void switch_look(const FrameContext& frame, Requests& out) {
+    ViewState view = frame.view;
+    view.look = next_look(view.look);
+    out.ask(ChangeView{view});
+}
+
 void faster(const FrameContext& frame, Requests& out) {
     ViewState view = frame.view;
     for (const double speed : kPlaybackSpeeds) {
@@ -170,6 +176,11 @@ constexpr std::array kShortcuts = {
              "Ctrl+L",
              "Switch between the light and the dark theme",
              switch_theme,
+             true},
+    Shortcut{{GLFW_KEY_L},
+             "L",
+             "See creatures alive, through their skin, or as boxes",
+             switch_look,
              true},
     Shortcut{{GLFW_KEY_D, true}, "Ctrl+D", "Compare settings", simply<ToggleComparison>},
     Shortcut{{GLFW_KEY_M, true},

@@ -38,7 +38,7 @@ public:
           window_(window),
           renderer_(renderer),
           controller_(remembered(options, kinds), kinds, machines(options), options.status_log),
-          host_(window, scale_in(options.drawing, window), controller_.view().theme),
+          host_(window, renderer, scale_in(options.drawing, window), controller_.view().theme),
           main_window_(builtin_panels(), &renderer),
           frame_log_(options.frame_log) {
         if (options.viewer) controller_.window().be_viewer();
@@ -131,6 +131,7 @@ private:
         Requests requests;
         if (host_.context().theme != controller_.view().theme)
             host_.set_theme(controller_.view().theme);
+        host_.set_look(controller_.view().look);
         const std::vector<KeyPress> pressed = window_.take_keys();
         const bool typing = host_.begin_frame(pressed, !context.world_shown());
         for (const KeyPress& press : pressed) {

@@ -31,7 +31,8 @@ std::vector<Shape> ring_of(const ResidentPicture& resident) {
     SceneFrame without;
     add_world(without, palette, camera, viewport, picture, {});
     SceneFrame with;
-    add_world(with, palette, camera, viewport, picture, {.picked = 0, .pins = {}, .energy = true});
+    add_world(with, palette, camera, viewport, picture,
+              {.picked = 0, .pins = {}, .energy = true, .look = LookMode::kLife});
     const auto more = static_cast<std::ptrdiff_t>(without.shapes.size());
     return {with.shapes.begin() + more, with.shapes.end()};
 }
@@ -65,6 +66,8 @@ PreservePicture edge_world(bool wraps) {
     picture.residents = {resident(19.8, 10.0)};
     auto phenotype = std::make_shared<Phenotype>();
     phenotype->parts.resize(1);
+    phenotype->plan.parts.resize(1);
+    phenotype->plan.parts[0].half_extents = {1.0, 0.5, 0.0};
     picture.residents[0].phenotype = phenotype;
     picture.residents[0].parts = {{Vec3(19.8, 0.0, 0.0), Vec3::UnitX(), 1.0, 0.5}};
     return picture;
@@ -78,7 +81,8 @@ TEST_CASE("where edges meet, creatures near them are drawn and picked on both si
     camera.fit({{-20.0, -12.5}, {20.0, 12.5}}, 1.0, viewport);
     const auto bodies_at = [&](const PreservePicture& picture, double x) {
         SceneFrame frame;
-        add_world(frame, palette, camera, viewport, picture, {});
+        add_world(frame, palette, camera, viewport, picture,
+                  {.picked = 0, .pins = {}, .energy = false, .look = LookMode::kMechanics});
         return std::count_if(frame.shapes.begin(), frame.shapes.end(), [&](const Shape& shape) {
             return (shape.center - Vec2(x, 0.0)).norm() < 1e-9 &&
                    shape.half_extents == Vec2(1.0, 0.5);
@@ -120,6 +124,34 @@ TEST_CASE("the plants of a meadow stand on the ground, from wherever they are se
             });
         INFO(pixels_per_metre);
         CHECK(stands);
+    }
+}
+
+TEST_CASE("living creatures are seen beyond joined edges, near and from afar",
+          "[pictures][preserve]") {
+    const Palette palette = palette_of(ThemeKind::kDark);
+    const Viewport viewport{800.0, 500.0};
+    const auto frame_at = [&](double pixels_per_metre, bool wraps) {
+        Camera camera;
+        camera.pixels_per_metre = pixels_per_metre;
+        camera.center = {-20.0, 0.0};
+        SceneFrame frame;
+        add_world(frame, palette, camera, viewport, edge_world(wraps), {});
+        return frame;
+    };
+    const auto is_image = [](const auto& body) {
+        return (body.center - Vec2(-20.2, 0.0)).norm() < 1e-9 && body.half_extents.x() > 0.9;
+    };
+    for (const bool wraps : {false, true}) {
+        const SceneFrame far = frame_at(20.0, wraps);
+        CHECK(far.skins.empty());
+        CHECK(std::any_of(far.shapes.begin(), far.shapes.end(), is_image) == wraps);
+        const SceneFrame near = frame_at(80.0, wraps);
+        CHECK(std::any_of(near.skin_boxes.begin(), near.skin_boxes.end(), is_image) == wraps);
+        for (const Skin& skin : near.skins) {
+            CHECK(skin.first_box + skin.boxes <= near.skin_boxes.size());
+            CHECK(skin.shapes_below <= near.shapes.size());
+        }
     }
 }
 

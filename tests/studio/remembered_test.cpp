@@ -12,6 +12,7 @@ TEST_CASE("arrangement and settings are restored as they were", "[studio][rememb
     const TemporaryDirectory folder;
     Remembered left;
     left.view.theme = ThemeKind::kLight;
+    left.view.look = LookMode::kMechanics;
     left.view.speed = 0.25;
     left.view.panels.bottom = false;
     left.view.overlays.torques = true;

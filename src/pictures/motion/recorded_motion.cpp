@@ -36,6 +36,12 @@ MotionFrame motion_frame(const Trial& trial) {
     return frame;
 }
 
+void add_scuffs(std::vector<Scuff>& scuffs, const BodyPlan& plan, std::uint64_t tick,
+                const MotionFrame& before, const MotionFrame& after, bool walks) {
+    add_scuffs(scuffs, plan, tick, {before.poses, before.stretches, before.touched},
+               {after.poses, after.stretches, after.touched}, walks);
+}
+
 namespace {
 
 Pose interpolated(const Pose& from, const Pose& to, double share) {
@@ -81,10 +87,13 @@ std::size_t size_of(const MotionFrame& frame) {
 // Records the frames of one trial; the longer the trial, the larger their interval.
 class MotionRecorder {
 public:
-    MotionRecorder(RecordedMotion& motion, std::size_t most_bytes)
-        : motion_(motion), most_bytes_(most_bytes) {}
+    MotionRecorder(RecordedMotion& motion, std::size_t most_bytes, bool walks)
+        : motion_(motion), most_bytes_(most_bytes), walks_(walks) {}
 
     void add(MotionFrame frame) {
+        if (tick_ > 0)
+            add_scuffs(motion_.scuffs, motion_.phenotype->plan, tick_, before_, frame, walks_);
+        before_ = frame;
         if (tick_ % kTicksADot == 0) motion_.centers.push_back(frame.center_of_mass.head<2>());
         if (tick_ % motion_.stride == 0) {
             if ((motion_.frames.size() + 1) * size_of(frame) > most_bytes_) thin_out();
@@ -104,7 +113,9 @@ private:
     }
 
     RecordedMotion& motion_;
+    MotionFrame before_;
     std::size_t most_bytes_;
+    bool walks_;
     std::size_t tick_ = 0;
 };
 
@@ -146,7 +157,7 @@ Result<RecordedTrial> record_trial(std::shared_ptr<const Phenotype> phenotype, c
     recorded.motion.phenotype = std::move(phenotype);
     recorded.motion.complete = true;
     if (trial.bout() != nullptr) recorded.motion.opponent = trial.bout()->opponent_body();
-    MotionRecorder recorder(recorded.motion, most_bytes);
+    MotionRecorder recorder(recorded.motion, most_bytes, world.environment.has_ground);
     recorder.add(settle(trial));
     while (!trial.finished()) {
         if (watch.stop.stop_requested()) return Error{"interrupted; nothing was written"};

@@ -3,7 +3,7 @@
 // The motion of a trial as frames, which can be drawn in any order.
 
 #include "core/result.h"
-#include "pictures/motion/touched_faces.h"
+#include "pictures/motion/scuffs.h"
 #include "simulator/trial.h"
 #include "simulator/trial_watch.h"
 
@@ -34,6 +34,10 @@ struct MotionFrame {
 // Returns the present moment of a trial.
 MotionFrame motion_frame(const Trial& trial);
 
+// Adds the scuffs of a tick of the test between two frames.
+void add_scuffs(std::vector<Scuff>& scuffs, const BodyPlan& plan, std::uint64_t tick,
+                const MotionFrame& before, const MotionFrame& after, bool walks);
+
 // One creature's trial from the end of settling. Every tick of 1/60 s is a frame; if that takes too
 // much memory, every second tick, every fourth, and so on.
 struct RecordedMotion {
@@ -43,6 +47,7 @@ struct RecordedMotion {
     std::size_t stride = 1;     // ticks between two frames
     std::size_t ticks = 0;      // ticks after the first frame; used if stride is over 1
     std::vector<Vec2> centers;  // of mass, at every fourth tick; used if stride is over 1
+    std::vector<Scuff> scuffs;  // of all ticks
     bool complete = false;
 
     bool empty() const { return frames.empty(); }

@@ -2,7 +2,8 @@
 
 #include "math/elementary.h"
 #include "math/pose.h"
-#include "pictures/scene/scene_builder.h"
+#include "pictures/scene/living_look.h"
+#include "simulator/settings/trial_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,17 +91,47 @@ bool in_view(const Vec2& center, double reach, const WorldWindow& window) {
            center.y() + reach > window.low.y() && center.y() - reach < window.high.y();
 }
 
-// Adds the shapes from this one on again in each image of the world, where they are in view.
+// Adds a skin again, moved, if it is in view there.
+void repeat_skin(SceneFrame& frame, Skin skin, const Vec2& shift, const WorldWindow& window) {
+    const std::size_t end = skin.first_box + skin.boxes;
+    const auto seen = [&](std::size_t box) {
+        const SkinBox& each = frame.skin_boxes[box];
+        return in_view(each.center + shift, each.half_extents.norm() + skin.blend, window);
+    };
+    bool any = false;
+    for (std::size_t box = skin.first_box; box < end; ++box)
+        any = any || seen(box);
+    if (!any) return;
+    for (std::size_t box = skin.first_box; box < end; ++box) {
+        SkinBox moved = frame.skin_boxes[box];
+        moved.center += shift;
+        frame.skin_boxes.push_back(moved);
+    }
+    frame.add_skin(skin);
+}
+
+// Adds the shapes from this one on, and the skins over them, again in each image of the world,
+// where they are in view.
 void repeat_from(std::size_t first, SceneFrame& frame, const WorldWindow& window,
                  std::span<const Vec2> shifts) {
     const std::size_t end = frame.shapes.size();
+    const std::size_t skins = frame.skins.size();
     for (const Vec2& shift : shifts.subspan(1)) {
+        std::size_t skin = 0;
+        const auto repeat_skins_below = [&](std::size_t shape) {
+            for (; skin < skins && frame.skins[skin].shapes_below <= shape; ++skin) {
+                if (frame.skins[skin].shapes_below >= first)
+                    repeat_skin(frame, frame.skins[skin], shift, window);
+            }
+        };
         for (std::size_t i = first; i < end; ++i) {
+            repeat_skins_below(i);
             Shape shape = frame.shapes[i];
             shape.center += shift;
             const double reach = shape.half_extents.norm() + shape.blur;
             if (in_view(shape.center, reach, window)) frame.shapes.push_back(shape);
         }
+        repeat_skins_below(end);
     }
 }
 
@@ -117,6 +148,13 @@ Shape shape_of(const Rectangle& part) {
     return shape;
 }
 
+// What all creatures of a picture have in common.
+struct ShownWorld {
+    LookMode mode = LookMode::kLife;
+    bool walks = false;
+    double time = 0.0;  // s
+};
+
 void add_simple_body(SceneFrame& frame, const Palette& palette, const Camera& camera,
                      const ResidentPicture& resident, double hue) {
     for (std::size_t i = resident.parts.size(); i-- > 0;) {
@@ -129,8 +167,28 @@ void add_simple_body(SceneFrame& frame, const Palette& palette, const Camera& ca
     }
 }
 
+// Draws a body as a dark shape with a coloured inside, the cheapest picture of one skin.
+void add_small_body(SceneFrame& frame, const Palette& palette, const Camera& camera,
+                    const ResidentPicture& resident, double hue) {
+    for (const bool inside : {false, true}) {
+        for (std::size_t i = resident.parts.size(); i-- > 0;) {
+            Shape shape = shape_of(resident.parts[i]);
+            const Color color =
+                skin_color(resident.phenotype->parts[i], hue, resident.life.lineage);
+            const double grown = (inside ? -0.5 : 0.7) * camera.pixel();
+            shape.half_extents = (shape.half_extents + Vec2::Constant(grown))
+                                     .cwiseMax(Vec2::Constant(0.45 * camera.pixel()));
+            shape.radius = 0.62 * shape.half_extents.minCoeff();
+            shape.fill = inside            ? color
+                         : resident.bitten ? palette.danger
+                                           : mix(color, color_of(0x100A0C), 0.78F);
+            frame.shapes.push_back(shape);
+        }
+    }
+}
+
 void add_detailed_body(SceneFrame& frame, const Palette& palette, const Camera& camera,
-                       const ResidentPicture& resident, double hue) {
+                       const ResidentPicture& resident, double hue, const ShownWorld& world) {
     std::vector<Pose> poses;
     std::vector<double> stretches;
     for (std::size_t i = 0; i < resident.parts.size(); ++i) {
@@ -139,9 +197,14 @@ void add_detailed_body(SceneFrame& frame, const Palette& palette, const Camera& 
         const double rest = resident.phenotype->plan.parts[i].half_extents.x();
         stretches.push_back(std::log(part.half_length / rest));
     }
-    add_creature(
-        frame, palette, camera,
-        {.phenotype = *resident.phenotype, .poses = poses, .hue = hue, .stretches = stretches});
+    CreatureLook look{
+        .phenotype = *resident.phenotype, .poses = poses, .hue = hue, .stretches = stretches};
+    look.mode = world.mode;
+    look.bitten = resident.bitten;
+    look.character.line = resident.life.lineage;
+    look.character.walks = world.walks;
+    look.character.time = world.time + static_cast<double>(resident.life.number % 7) * 0.5;
+    add_being(frame, palette, camera, look);
     if (!resident.bitten) return;
     for (const Rectangle& part : resident.parts) {
         Shape shape = shape_of(part);
@@ -236,13 +299,17 @@ void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
     add_seams(frame, palette, camera, picture.area);
     add_drawn_walls(frame, palette, picture);
     add_food(frame, camera, picture);
+    const ShownWorld world{marks.look, picture.area.has_ground,
+                           static_cast<double>(picture.tick) * kBrainTick};
     for (const ResidentPicture& each : picture.residents) {
         if (!in_view(each, window, shifts)) continue;
         const double hue = lineage_hue(each.life.lineage);
-        if (camera.pixels_per_metre < kDetailScale) {
+        if (camera.pixels_per_metre >= kDetailScale) {
+            add_detailed_body(frame, palette, camera, each, hue, world);
+        } else if (marks.look == LookMode::kMechanics) {
             add_simple_body(frame, palette, camera, each, hue);
         } else {
-            add_detailed_body(frame, palette, camera, each, hue);
+            add_small_body(frame, palette, camera, each, hue);
         }
         add_marks(frame, palette, camera, marks, each);
     }

@@ -4,6 +4,7 @@
 // Where edges meet, it is drawn again beyond them.
 
 #include "pictures/canvas/palette.h"
+#include "pictures/scene/character.h"
 #include "preserve/engine/preserve_picture.h"
 #include "render/camera.h"
 #include "render/scene_frame.h"
@@ -20,6 +21,7 @@ struct WorldMarks {
     // Whether a ring around each creature shows its store. It is complete, and green, when the
     // store is enough to bear a child.
     bool energy = false;
+    LookMode look = LookMode::kLife;
 };
 
 void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,

@@ -1,7 +1,7 @@
 #include "pictures/scene/bout_scene.h"
 
 #include "pictures/scene/follow_camera.h"
-#include "pictures/scene/scene_builder.h"
+#include "pictures/scene/living_look.h"
 #include "simulator/contest/bout.h"
 
 #include <algorithm>
@@ -44,9 +44,16 @@ void add_bout(SceneFrame& frame, const Palette& palette, const Camera& camera,
     frame.shapes.push_back(cube);
     if (look.opponent == nullptr) return;
     const double hue = apart_from(look.beside, look.hue);
-    const CreatureLook opponent{*look.opponent, look.poses, {}, hue, {}, look.stretches};
+    CreatureLook opponent{*look.opponent, look.poses, {}, hue, {}, look.stretches, look.mode};
+    opponent.character.line = line_or_hue(0, look.hue);
+    opponent.character.time = look.time;
+    // It faces the cube.
+    const Vec2 cube_at = look.cube.position.head<2>();
+    const Vec2 root = look.poses.front().position.head<2>();
+    opponent.character.way = way_of(cube_at - root, true);
+    look_at(opponent.character, root, cube_at);
     add_shadow(frame, opponent);
-    add_creature(frame, palette, camera, opponent);
+    add_being(frame, palette, camera, opponent);
 }
 
 }  // namespace cambrian

@@ -4,6 +4,7 @@
 
 #include "creature/phenotype.h"
 #include "pictures/canvas/palette.h"
+#include "pictures/scene/character.h"
 #include "render/camera.h"
 #include "render/scene_frame.h"
 
@@ -18,6 +19,8 @@ struct BoutLook {
     std::span<const double> stretches = {};
     double hue = 0.0;     // hue of its lineage, in turns
     double beside = 0.0;  // that of the creature it contends with
+    LookMode mode = LookMode::kLife;
+    double time = 0.0;  // s of the trial
 };
 
 // Returns the hue in which an opponent is drawn: its own, or the opposite one if that is too close

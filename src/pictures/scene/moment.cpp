@@ -4,7 +4,8 @@
 #include "core/text/pretty_text.h"
 #include "pictures/scene/bout_scene.h"
 #include "pictures/scene/follow_camera.h"
-#include "pictures/scene/scene_builder.h"
+#include "pictures/scene/living_look.h"
+#include "pictures/scene/small_life.h"
 #include "simulator/contest/bout.h"
 
 #include <fmt/core.h>
@@ -43,11 +44,28 @@ Vec2 middle_of(const RecordedMotion& motion, const MotionFrame& frame) {
     return 0.5 * (window.low + window.high);
 }
 
+Character character_at(const Subject& subject, const Moment& moment) {
+    Character character =
+        character_of(subject.motion(), subject.environment().has_ground, moment.time);
+    character.line = line_or_hue(subject.creature.individual->line, subject.hue());
+    const Vec2 here = moment.frame.center_of_mass.head<2>();
+    if (moment.frame.light) look_at(character, here, moment.frame.light->head<2>());
+    return character;
+}
+
 SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& camera,
                     const Viewport& viewport, const MomentStyle& style) {
     const MotionFrame& shown = moment.frame;
-    const CreatureLook look{subject.phenotype(), shown.poses, shown.touched,
-                            subject.hue(),       {},          shown.stretches};
+    const bool marked = style.look != LookMode::kLife;  // with the faces that touch something
+    const CreatureLook look{
+        subject.phenotype(),
+        shown.poses,
+        marked ? std::span<const FaceSet>(shown.touched) : std::span<const FaceSet>(),
+        subject.hue(),
+        {},
+        shown.stretches,
+        style.look,
+        character_at(subject, moment)};
     SceneFrame scene;
     scene.background = style.palette.sky;
     add_grid(scene, style.palette, camera, viewport);
@@ -58,14 +76,18 @@ SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& 
     scene.add_trail(subject.motion().trail(moment.time, style.trail),
                     kTrailDot * style.label_size / 13.0 * camera.pixel(),
                     with_alpha(style.palette.accent, 0.8F));
+    if (style.look != LookMode::kMechanics)
+        add_small_life(scene, subject.motion().scuffs, moment.time, subject.environment());
     if (shown.bout) {
         BoutLook bodies = bodies_of(subject.motion(), *shown.bout);
         bodies.hue = subject.creature.settings->world.opponents.hue_of_trial(0);
         bodies.beside = subject.hue();
+        bodies.mode = style.look;
+        bodies.time = moment.time;
         add_bout(scene, style.palette, camera, bodies);
     }
     if (shown.light) add_light(scene, camera, viewport, shown.light->head<2>());
-    add_creature(scene, style.palette, camera, look);
+    add_being(scene, style.palette, camera, look);
     return scene;
 }
 
@@ -88,6 +110,19 @@ void add_ground_labels(PictureCanvas& canvas, const Area& area, const Camera& ca
 }
 
 }  // namespace
+
+Character character_of(const RecordedMotion& motion, bool walks, double time) {
+    Character character;
+    const Vec2 travelled =
+        (motion.frames.back().center_of_mass - motion.frames.front().center_of_mass).head<2>();
+    character.posture = motion.frames.front().poses;
+    character.way = way_of(travelled, walks);
+    character.walks = walks;
+    character.time = time;
+    follow_path(character, motion.trail(time, kPathPoints),
+                motion.at(time).center_of_mass.head<2>(), body_size(*motion.phenotype));
+    return character;
+}
 
 double scale_to_fit(const RecordedMotion& motion, const Area& area, double share) {
     Vec2 most = Vec2::Constant(0.01);

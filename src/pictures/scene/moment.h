@@ -4,6 +4,7 @@
 
 #include "pictures/canvas/picture_canvas.h"
 #include "pictures/motion/subject.h"
+#include "pictures/scene/character.h"
 
 #include <cstddef>
 #include <vector>
@@ -15,7 +16,11 @@ struct MomentStyle {
     double pixels_per_metre = 100.0;
     double label_size = 13.0;  // pixels; size of the labels on the ground
     std::size_t trail = 60;    // points of the trail
+    LookMode look = LookMode::kLife;
 };
+
+// Returns what a motion tells of the creature at a time, but not its line.
+Character character_of(const RecordedMotion& motion, bool walks, double time);
 
 // Returns the scale, in pixels per metre, at which the creature always fits in `share` of the area.
 double scale_to_fit(const RecordedMotion& motion, const Area& area, double share);

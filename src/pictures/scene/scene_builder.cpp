@@ -212,6 +212,16 @@ void add_creature(SceneFrame& frame, const Palette& palette, const Camera& camer
     add_pivots(frame, look, pixel);
 }
 
+void add_touched(SceneFrame& frame, const Color& color, const Camera& camera,
+                 const CreatureLook& look) {
+    for (std::size_t i = look.touched.size(); i-- > 0;)
+        add_touched_faces(frame, look, i, color, camera.pixel());
+}
+
+void add_joints(SceneFrame& frame, const Camera& camera, const CreatureLook& look) {
+    add_pivots(frame, look, camera.pixel());
+}
+
 int part_at(const Phenotype& phenotype, std::span<const Pose> poses, const Vec2& point,
             std::span<const double> stretches) {
     for (std::size_t i = 0; i < poses.size(); ++i) {

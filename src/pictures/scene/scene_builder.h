@@ -5,6 +5,7 @@
 #include "creature/phenotype.h"
 #include "pictures/canvas/palette.h"
 #include "pictures/motion/touched_faces.h"
+#include "pictures/scene/character.h"
 #include "pictures/scene/highlight.h"
 #include "render/camera.h"
 #include "render/scene_frame.h"
@@ -23,6 +24,10 @@ struct CreatureLook {
     double hue = 0.0;  // hue of its lineage, in turns
     Highlight highlight = {};
     std::span<const double> stretches = {};  // of each part, or empty: at rest
+    // The rest matters to add_being() only.
+    LookMode mode = LookMode::kLife;
+    Character character = {};
+    bool bitten = false;
 };
 
 // Returns the colour of a part: the lineage's hue with a small shift for each gene node, lighter
@@ -42,8 +47,13 @@ void add_light(SceneFrame& frame, const Camera& camera, const Viewport& viewport
 inline constexpr double kLightPixels = 16.0;  // radius of its rays
 // Adds a pale creature behind the displayed one.
 void add_ghost(SceneFrame& frame, const Camera& camera, const CreatureLook& look);
+// Draws a creature as the boxes that physics moves.
 void add_creature(SceneFrame& frame, const Palette& palette, const Camera& camera,
                   const CreatureLook& look);
+// Adds lines along the faces that touch something, and marks at the joints.
+void add_touched(SceneFrame& frame, const Color& color, const Camera& camera,
+                 const CreatureLook& look);
+void add_joints(SceneFrame& frame, const Camera& camera, const CreatureLook& look);
 
 inline constexpr double kTickPixels = 70.0;  // least distance of the ground's ticks
 

@@ -17,6 +17,7 @@ public:
     void bind_to_draw() const;    // draws into all of it until another framebuffer is bound
     void bind_to_copy() const;    // as the source of copies between framebuffers
     void bind_to_sample() const;  // as the texture of shaders
+    unsigned name() const { return texture_; }  // of the texture in OpenGL; bottom row first
     int width() const { return width_; }
     int height() const { return height_; }
 

@@ -66,7 +66,12 @@ void GridMotion::record_on(std::size_t cell, std::shared_ptr<Recorder> recorder)
                 if (shown != shown_) return;
                 RecordedMotion& motion = cells_[cell];
                 motion.phenotype = recorder->phenotype;
-                std::move(frames.begin(), frames.end(), std::back_inserter(motion.frames));
+                for (MotionFrame& frame : frames) {
+                    if (!motion.empty())
+                        add_scuffs(motion.scuffs, motion.phenotype->plan, motion.frames.size(),
+                                   motion.frames.back(), frame, world_.environment.has_ground);
+                    motion.frames.push_back(std::move(frame));
+                }
                 motion.complete = recorder->complete;
                 if (!motion.complete) record_on(cell, recorder);
             };

@@ -26,7 +26,8 @@ void clear(const Color& color, int width, int height) {
 
 }  // namespace
 
-ImGuiHost::ImGuiHost(Window& window, float scale, ThemeKind theme) : window_(window) {
+ImGuiHost::ImGuiHost(Window& window, Renderer& renderer, float scale, ThemeKind theme)
+    : window_(window), tiles_(renderer) {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.UserData = &context_;
@@ -35,6 +36,7 @@ ImGuiHost::ImGuiHost(Window& window, float scale, ThemeKind theme) : window_(win
     context_.scale = scale;
     context_.fonts = load_fonts(scale);
     context_.texture_of = [this](const auto& picture) { return textures_.of(picture); };
+    context_.tile_of = [this](const TileWish& wish) { return tiles_.of(wish); };
     set_theme(theme);
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     ImGui::GetIO().KeyMap[ImGuiKey_Tab] = -1;  // begin_focus_frame() handles it

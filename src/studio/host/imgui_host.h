@@ -8,6 +8,7 @@
 #include "studio/host/changed_areas.h"
 #include "studio/host/clipboard.h"
 #include "studio/host/textures.h"
+#include "studio/host/tile_pictures.h"
 #include "studio/look/ui_context.h"
 
 #include <functional>
@@ -23,7 +24,8 @@ struct KeyPress;
 class ImGuiHost {
 public:
     // The window's OpenGL context must be current and stay current.
-    ImGuiHost(Window& window, float scale, ThemeKind theme);
+    // The renderer draws the pictures of tiles and must outlive the object.
+    ImGuiHost(Window& window, Renderer& renderer, float scale, ThemeKind theme);
     ~ImGuiHost();
     ImGuiHost(const ImGuiHost&) = delete;
     ImGuiHost& operator=(const ImGuiHost&) = delete;
@@ -42,6 +44,7 @@ public:
     // Returns why a control refused what was typed, once; empty if none did.
     std::string take_complaint() { return std::exchange(context_.complaint, {}); }
     void set_theme(ThemeKind theme);
+    void set_look(LookMode look) { context_.look = look; }
     const UiContext& context() const { return context_; }
 
 private:
@@ -50,6 +53,7 @@ private:
     Window& window_;
     UiContext context_;
     Textures textures_;
+    TilePictures tiles_;
     PictureStamp stamp_;
     ChangedAreas changed_;
     Clipboard clipboard_;

@@ -4,6 +4,7 @@
 // ImGui's io.UserData points to it, so that drawing code needs no global variable.
 
 #include "core/image.h"
+#include "pictures/scene/character.h"
 #include "studio/look/foreign_letters.h"
 #include "studio/look/theme.h"
 
@@ -61,7 +62,23 @@ struct KeyboardFocus {
     const ImGuiWindow* layer = nullptr;  // the window whose controls alone count; null for all
 };
 
+// A body at rest as a small picture.
+struct TileWish {
+    const Phenotype& phenotype;
+    double hue = 0.0;        // turns
+    std::uint64_t line = 0;  // of its founder
+    int width = 1;           // pixels
+    int height = 1;
+};
+// Where the picture is: a texture and the corners of its part of it, the upper left one first.
+struct TilePicture {
+    ImTextureID texture = nullptr;
+    ImVec2 from;
+    ImVec2 to;
+};
+
 struct UiContext {
+    LookMode look = LookMode::kLife;  // of creatures on tiles
     ThemeKind theme = ThemeKind::kDark;
     Palette palette = palette_of(ThemeKind::kDark);
     Fonts fonts;
@@ -78,6 +95,8 @@ struct UiContext {
     std::string complaint;
     // Returns a picture's texture; empty where nothing is painted.
     std::function<ImTextureID(const std::shared_ptr<const Image>&)> texture_of;
+    // Returns the picture of a living body; empty where nothing is painted.
+    std::function<std::optional<TilePicture>(const TileWish&)> tile_of;
 };
 
 UiContext& ui();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pictures/scene/character.h"
 #include "studio/look/theme.h"
 
 #include <array>
@@ -60,6 +61,7 @@ struct PanelSizes {
 // The arrangement of the window and its overlays, stored between runs of the program.
 struct ViewState {
     ThemeKind theme = ThemeKind::kDark;
+    LookMode look = LookMode::kLife;
     bool follow = true;  // the camera follows the creature
     OverlaysShown overlays;
     PanelSizes panels;

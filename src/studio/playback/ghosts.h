@@ -29,6 +29,7 @@ public:
     void show(double share) { motion_.show(share); }
 
     std::uint32_t generation() const { return champion_.generation; }
+    std::uint64_t line() const { return champion_.individual->line; }  // uid of its founder
     const Genome& genome() const { return *champion_.individual->genome; }
     const Phenotype& phenotype() const { return replay_->trial().phenotype(); }
     const Trial& trial() const { return replay_->trial(); }

@@ -14,6 +14,7 @@ Status PlayedCreature::show(Exhibit exhibit) {
     replay_.reset();
     exhibit_ = std::move(exhibit);
     phenotype_ = std::move(phenotype);
+    readings_ = {};
     begin(std::move(*replay));
     return {};
 }
@@ -28,7 +29,7 @@ void PlayedCreature::restart() {
 void PlayedCreature::begin(std::unique_ptr<Replay> replay) {
     replay_ = std::move(replay);
     hold_.reset();
-    readings_.clear();
+    readings_.begin(replay_->trial());
     show_present();
 }
 
@@ -42,7 +43,7 @@ void PlayedCreature::tick() {
 
 void PlayedCreature::go_back(std::uint64_t tick) {
     replay_->go_back(tick);
-    readings_.go_back(replay_->ticks());
+    readings_.go_back(replay_->trial());
 }
 
 void PlayedCreature::set_environment(const Environment& environment) {

@@ -3,6 +3,7 @@
 #include "simulator/trial.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace cambrian {
 namespace {
@@ -10,23 +11,57 @@ namespace {
 constexpr std::uint64_t kTicksADot = 4;   // ticks between two points of the trail
 constexpr std::size_t kTraceLength = 90;  // points of the trail
 
+constexpr std::size_t kMostScuffs = 50'000;
+
+// Returns the number of ticks since the start of the test.
+std::uint64_t test_tick(const Trial& trial) {
+    return trial.ticks() - trial.settle_ticks();
+}
+
 }  // namespace
 
-void TrialReadings::clear() {
+void TrialReadings::begin(const Trial& trial) {
     signals_.clear();
     energy_.clear();
     dots_.clear();
+    scuffs_.clear();
+    remember_body(trial);
+    if (!trial.settling()) posture_ = poses_;
+}
+
+void TrialReadings::remember_body(const Trial& trial) {
+    const BodyView& body = trial.scene();
+    poses_.resize(body.part_count());
+    stretches_.resize(body.part_count());
+    for (std::size_t part = 0; part < poses_.size(); ++part) {
+        poses_[part] = body.part_pose(part);
+        stretches_[part] = body.stretch(part);
+    }
 }
 
 void TrialReadings::add(const Trial& trial, std::size_t outputs) {
     signals_.add(trial.creature().brain(), outputs);
     if (!trial.settling() && !trial.finished()) energy_.add(trial.time(), trial.scene().audit());
-    if (trial.ticks() % kTicksADot == 0) dots_.push_back(trial.scene().center_of_mass().head<2>());
+    const std::uint64_t tick = test_tick(trial);
+    const std::vector<Pose> poses = std::move(poses_);
+    const std::vector<double> stretches = std::move(stretches_);
+    remember_body(trial);
+    if (!trial.settling() && tick == 0) posture_ = poses_;
+    if (trial.settling() || tick == 0) return;
+    if (tick % kTicksADot == 0) dots_.push_back(trial.scene().center_of_mass().head<2>());
+    if (scuffs_.size() > kMostScuffs)
+        scuffs_.erase(scuffs_.begin(), scuffs_.begin() + kMostScuffs / 2);
+    const std::vector<FaceSet> touched = touched_faces(trial.scene());
+    add_scuffs(scuffs_, trial.phenotype().plan, tick, {poses, stretches, {}},
+               {poses_, stretches_, touched}, trial.world().environment.has_ground);
 }
 
-void TrialReadings::go_back(std::uint64_t tick) {
+void TrialReadings::go_back(const Trial& trial) {
     signals_.clear();
-    dots_.resize(tick / kTicksADot);
+    dots_.resize(std::min<std::size_t>(dots_.size(), test_tick(trial) / kTicksADot));
+    while (!scuffs_.empty() && scuffs_.back().time > trial.time())
+        scuffs_.pop_back();
+    remember_body(trial);
 }
 
 std::span<const Vec2> TrialReadings::trail() const {

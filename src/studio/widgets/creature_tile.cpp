@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace cambrian {
 namespace {
@@ -27,10 +28,27 @@ Bounds bounds_at_rest(const BodyPlan& plan) {
     return bounds;
 }
 
+// Returns whether a picture of the living body was drawn.
+bool draw_living_tile(ImDrawList& list, const Rect& area, const Phenotype& phenotype, double hue,
+                      std::uint64_t line) {
+    if (ui().look == LookMode::kMechanics || !ui().tile_of) return false;
+    const ImVec2 low = {std::floor(area.x), std::floor(area.y)};
+    const int width = static_cast<int>(area.width);
+    const int height = static_cast<int>(area.height);
+    if (width < 1 || height < 1) return false;
+    const auto picture = ui().tile_of({phenotype, hue, line_or_hue(line, hue), width, height});
+    if (!picture) return false;
+    list.AddImage(picture->texture, low,
+                  {low.x + static_cast<float>(width), low.y + static_cast<float>(height)},
+                  picture->from, picture->to);
+    return true;
+}
+
 }  // namespace
 
-void draw_creature_tile(ImDrawList& list, const Rect& area, const Phenotype& phenotype,
-                        double hue) {
+void draw_creature_tile(ImDrawList& list, const Rect& area, const Phenotype& phenotype, double hue,
+                        std::uint64_t line) {
+    if (draw_living_tile(list, area, phenotype, hue, line)) return;
     const Bounds bounds = bounds_at_rest(phenotype.plan);
     const Vec3 size = bounds.high - bounds.low;
     const Vec3 middle = 0.5 * (bounds.low + bounds.high);

@@ -5,8 +5,10 @@
 
 namespace cambrian {
 
-// Draws a creature's body at rest as a small picture that fits an area, with Dear ImGui's shapes.
-void draw_creature_tile(ImDrawList& list, const Rect& area, const Phenotype& phenotype, double hue);
+// Draws a creature's body at rest as a small picture that fits an area: in its skin, or as its
+// boxes if the user wants to see mechanics. `line` is that of its founder, or 0.
+void draw_creature_tile(ImDrawList& list, const Rect& area, const Phenotype& phenotype, double hue,
+                        std::uint64_t line);
 
 // Returns how many tiles of a width fit side by side into a room with gaps between them, at least
 // one.

@@ -1,5 +1,6 @@
 #include "studio/playback/playback.h"
 
+#include "pictures/motion/recorded_motion.h"
 #include "studio_fixture.h"
 #include "support/catch.h"
 
@@ -213,6 +214,46 @@ TEST_CASE("the last 3 s of every signal are kept", "[studio][playback]") {
     CHECK(playback.creature().readings().signals().of_slot(slot).size() == SignalTrace::kLength);
     CHECK(playback.creature().readings().signals().of_slot(slot).back() == brain.value(slot));
     CHECK(playback.creature().readings().signals().of_output(1).back() == brain.output(1));
+}
+
+TEST_CASE("a played and a recorded trial tell the same path and scuffs, after going back too",
+          "[studio][playback]") {
+    const Exhibit exhibit = crawler_exhibit();
+    const auto phenotype = std::make_shared<const Phenotype>(
+        express(*exhibit.genome(), test::kinds().creature, {}, {}));
+    const auto recorded =
+        record_trial(phenotype, test::kinds().creature, first_trial_world(exhibit.settings()));
+    REQUIRE(recorded);
+    Playback playback(test::kinds().creature);
+    REQUIRE(playback.show(exhibit));
+    const auto play_to = [&](double time) {
+        while (playback.trial().settling() || playback.trial().time() < time - 1e-9)
+            playback.step();
+    };
+    const auto check = [&] {
+        const double time = playback.trial().time();
+        const TrialReadings& readings = playback.creature().readings();
+        const std::vector<Vec2> path = recorded->motion.trail(time, 48);
+        REQUIRE(readings.trail().size() == path.size());
+        CHECK(std::equal(path.begin(), path.end(), readings.trail().begin()));
+        const auto seen = scuffs_seen(readings.scuffs(), time);
+        const auto wanted = scuffs_seen(recorded->motion.scuffs, time);
+        REQUIRE(seen.size() == wanted.size());
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            CHECK(seen[i].place == wanted[i].place);
+            CHECK(seen[i].seed == wanted[i].seed);
+        }
+    };
+    play_to(0.9);
+    check();
+    CHECK_FALSE(playback.creature().readings().scuffs().empty());
+    const std::uint64_t there = playback.trial().ticks();
+    playback.seek(there - 23);
+    while (playback.seeking())
+        playback.advance(kBrainTick, kPlenty);
+    check();
+    play_to(0.9);
+    check();
 }
 
 }  // namespace

@@ -121,6 +121,8 @@ void draw_view_menu(const FrameContext& frame, Requests& out) {
             overlay.label, nullptr,
             [&](ViewState& view) -> bool& { return view.overlays.*overlay.shown; }, frame, out);
     ImGui::Separator();
+    look_lines(frame, out);
+    ImGui::Separator();
     ghost_lines(frame, out);
     ImGui::Separator();
     const bool light = frame.view.theme == ThemeKind::kLight;

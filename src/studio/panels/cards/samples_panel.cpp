@@ -31,7 +31,7 @@ bool draw_tile(const Sample& sample, bool aimed) {
     list.AddRectFilled(low, high, paint(hovered ? colors().hovered : colors().raised), px(8));
     if (aimed) list.AddRect(low, high, paint(colors().accent), px(8), 0, px(2));
     draw_creature_tile(list, {low.x + px(14), low.y + px(12), px(kSampleWidth - 28), px(76)},
-                       *sample.phenotype, sample.hue);
+                       *sample.phenotype, sample.hue, 0);
     list.AddText(ui().fonts.strong, px(15), {low.x + px(12), high.y - px(45)}, paint(colors().text),
                  fit_text(sample.title, px(kSampleWidth - 28)).c_str());
     list.AddText(ui().fonts.small, px(13), {low.x + px(12), high.y - px(25)}, paint(colors().muted),

@@ -253,7 +253,8 @@ void PopulationPanel::draw_content(const Tile& tile, const Rect& area, const Fra
     const Rect body = {area.x + px(8), area.y + px(18), area.width - px(16), area.height - px(38)};
     const Phenotype* phenotype = bodies_.find(individual.genome, frame.kinds.creature,
                                               settings.expression, settings.world.scene);
-    if (phenotype != nullptr) draw_creature_tile(list, body, *phenotype, individual.genome->hue);
+    if (phenotype != nullptr)
+        draw_creature_tile(list, body, *phenotype, individual.genome->hue, individual.line);
     const std::string place =
         tile.rank > 0 ? std::to_string(tile.rank) : fmt::format("gen {}", tile.creature.generation);
     small_words(place, {area.x + px(6), area.y + px(3)}, colors().muted);

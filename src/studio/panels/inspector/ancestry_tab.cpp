@@ -175,7 +175,8 @@ void AncestryTab::draw_body(std::size_t index, const FrameContext& frame, const 
         genome, frame.kinds.creature, head_->settings().expression, head_->settings().world.scene);
     if (phenotype == nullptr) return;
     const Rect area = {at.x + px(8), at.y + px(8), px(kPictureWidth - 8), px(kAncestorHeight - 16)};
-    draw_creature_tile(*ImGui::GetWindowDrawList(), area, *phenotype, genome->hue);
+    draw_creature_tile(*ImGui::GetWindowDrawList(), area, *phenotype, genome->hue,
+                       head_->individual().line);
 }
 
 }  // namespace cambrian

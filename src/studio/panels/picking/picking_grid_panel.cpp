@@ -3,7 +3,9 @@
 #include "core/text/pretty_text.h"
 #include "core/text/shown_score.h"
 #include "pictures/scene/follow_camera.h"
-#include "pictures/scene/scene_builder.h"
+#include "pictures/scene/living_look.h"
+#include "pictures/scene/moment.h"
+#include "pictures/scene/small_life.h"
 #include "studio/hand_picking/drag_payload.h"
 #include "studio/widgets/widgets.h"
 
@@ -170,9 +172,13 @@ void PickingGridPanel::build_scene(std::size_t cell, const FrameContext& frame) 
     canvas.camera.pixels_per_metre = scale_;
     canvas.camera.center =
         follow_center(shown.center_of_mass.head<2>(), ground, canvas.camera, size_);
-    const CreatureLook look{
-        *recorded.phenotype, shown.poses, {}, grid_of(frame).creatures[cell]->genome->hue, {},
-        shown.stretches};
+    const Individual& creature = *grid_of(frame).creatures[cell];
+    Character character = character_of(recorded, ground, motion.time());
+    character.line = line_or_hue(creature.line, creature.genome->hue);
+    if (shown.light) look_at(character, shown.center_of_mass.head<2>(), shown.light->head<2>());
+    const CreatureLook look{*recorded.phenotype,  shown.poses, {},
+                            creature.genome->hue, {},          shown.stretches,
+                            frame.view.look,      character};
     if (frame.view.overlays.grid) add_grid(canvas.frame, palette, canvas.camera, size_);
     if (ground) {
         add_ground(canvas.frame, palette, canvas.camera, size_);
@@ -182,7 +188,9 @@ void PickingGridPanel::build_scene(std::size_t cell, const FrameContext& frame) 
         canvas.frame.add_trail(recorded.trail(motion.time(), kTrailLength),
                                1.6 * canvas.camera.pixel(), with_alpha(palette.accent, 0.8F));
     }
-    add_creature(canvas.frame, palette, canvas.camera, look);
+    if (look.mode != LookMode::kMechanics)
+        add_small_life(canvas.frame, recorded.scuffs, motion.time(), motion.environment());
+    add_being(canvas.frame, palette, canvas.camera, look);
 }
 
 void PickingGridPanel::draw_cell(std::size_t cell, const FrameContext& frame, Requests& out) {

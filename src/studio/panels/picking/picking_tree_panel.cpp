@@ -106,7 +106,7 @@ void PickingTreePanel::draw_grid(std::uint32_t number, const Rect& tile, const F
     const Phenotype* body = bodies_.find(face->genome, frame.kinds.creature,
                                          grid.settings->expression, grid.settings->world.scene);
     const Rect inside = {tile.x + px(6), tile.y + px(5), tile.width - px(12), tile.height - px(20)};
-    if (body != nullptr) draw_creature_tile(list, inside, *body, face->genome->hue);
+    if (body != nullptr) draw_creature_tile(list, inside, *body, face->genome->hue, face->line);
     const std::string label = std::to_string(number + 1);
     const float size = 12.0F * ui().scale;
     const float width = ui().fonts.small->CalcTextSizeA(size, 1e6F, 0.0F, label.c_str()).x;

@@ -63,7 +63,8 @@ void ShelfPanel::draw_tile(std::size_t place, const FrameContext& frame, Request
         bodies_.find(pinned.individual->genome, frame.kinds.creature, pinned.settings->expression,
                      pinned.settings->world.scene);
     if (phenotype != nullptr)
-        draw_creature_tile(list, body, *phenotype, pinned.individual->genome->hue);
+        draw_creature_tile(list, body, *phenotype, pinned.individual->genome->hue,
+                           pinned.individual->line);
     tooltip(
         fmt::format("Drag it into a cell of any grid, or click: it takes cell {}, the one in "
                     "focus. Right-click to take it off the shelf.",

@@ -95,7 +95,8 @@ bool MuseumList::draw_piece(const FrameContext& frame, std::size_t index) {
         bodies_.find(piece.genome, frame.kinds.creature, laws.expression, laws.world.scene);
     if (body != nullptr)
         draw_creature_tile(list, {low.x + px(6), low.y + px(5), px(kTileWidth), size.y - px(10)},
-                           *body, hue_of(piece));
+                           *body, hue_of(piece),
+                           piece.reason == museum_reason::kLineage ? piece.number : 0);
     const float left = low.x + px(kTileWidth + 14);
     const float room = size.x - px(kTileWidth + 20);
     list.AddText({left, low.y + px(4)}, paint(colors().text),

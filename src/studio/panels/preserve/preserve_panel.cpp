@@ -72,7 +72,7 @@ bool draw_lineage(const LineageCount& lineage, std::size_t all) {
     if (hovered)
         list.AddRectFilled(low, {low.x + size.x, low.y + size.y}, paint(colors().hovered), px(5));
     draw_creature_tile(list, {low.x + px(4), low.y + px(4), px(40), size.y - px(8)},
-                       *lineage.phenotype, hue);
+                       *lineage.phenotype, hue, lineage.number);
     const std::string members = counted(lineage.members, "creature");
     const WithFont font(ui().fonts.small);
     const float text = low.y + px(3);

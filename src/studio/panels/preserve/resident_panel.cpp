@@ -198,7 +198,7 @@ void ResidentPanel::draw_picked(const FrameContext& frame, Requests& out) {
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::Dummy({width, px(78)});
     draw_creature_tile(*ImGui::GetWindowDrawList(), {at.x, at.y, width, px(74)}, *picked.phenotype,
-                       lineage_hue(picked.life.lineage));
+                       lineage_hue(picked.life.lineage), picked.life.lineage);
     {
         const WithTextColor color(alive ? colors().text : colors().danger);
         ImGui::TextUnformatted(capitalized(fate_words(picked.life)).c_str());

@@ -79,7 +79,7 @@ void WorldPanel::draw(const FrameContext& frame, Requests& out) {
     const PreserveView& preserve = *frame.preserve;
     add_world(canvas_.frame, colors(), canvas_.camera, canvas_.size(), preserve.picture,
               {preserve.picked == nullptr ? 0 : preserve.picked->life.number,
-               preserve.pins.creatures, preserve.energy});
+               preserve.pins.creatures, preserve.energy, frame.view.look});
     const ResidentPicture* held = held_ == 0 ? nullptr : preserve.picture.find(held_);
     if (held != nullptr && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
         const Vec2 mouse = canvas_.mouse_in_world();

@@ -6,6 +6,8 @@
 #include "pictures/scene/bout_scene.h"
 #include "pictures/scene/field_overlays.h"
 #include "pictures/scene/follow_camera.h"
+#include "pictures/scene/living_look.h"
+#include "pictures/scene/small_life.h"
 #include "studio/panels/viewport/scene_overlays.h"
 #include "studio/panels/viewport/viewport_tools.h"
 #include "studio/widgets/widgets.h"
@@ -58,6 +60,36 @@ BoutLook bout_look(const Playback& playback) {
             shown.opponent().stretches(),
             world.opponents.hue_of_trial(world.light.trial),
             playback.exhibit().genome()->hue};
+}
+
+// Overlays of what is inside a body, and a hand that holds it, show it through its skin.
+LookMode shown_look(const FrameContext& frame) {
+    const OverlaysShown& over = frame.view.overlays;
+    const bool inside = over.forces || over.torques || over.limits || over.sensors || over.names ||
+                        frame.viewer.playback.creature().hold() != nullptr;
+    return frame.view.look == LookMode::kLife && inside ? LookMode::kGlass : frame.view.look;
+}
+
+Character shown_character(const FrameContext& frame) {
+    const Playback& playback = frame.viewer.playback;
+    const PlayedCreature& creature = playback.creature();
+    const Individual& individual = playback.exhibit().individual();
+    Character character;
+    character.line = line_or_hue(individual.line, individual.genome->hue);
+    character.walks = creature.replay().environment().has_ground;
+    character.posture = creature.readings().posture();
+    if (frame.viewer.score != nullptr && !frame.viewer.score->record.samples.empty()) {
+        const std::vector<MotionSample>& samples = frame.viewer.score->record.samples;
+        character.way =
+            way_of((samples.back().center_of_mass - samples.front().center_of_mass).head<2>(),
+                   character.walks);
+    }
+    character.time = playback.trial().time();
+    const Vec2 here = creature.motion().center().head<2>();
+    follow_path(character, creature.readings().trail(), here, body_size(creature.phenotype()));
+    const LightSource& light = playback.trial().surroundings().source();
+    if (light.is_on()) look_at(character, here, light.place().head<2>());
+    return character;
 }
 
 // Returns the window with the displayed creature and, in a contest, with the cube and the opponent.
@@ -230,7 +262,9 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
                             touched,
                             playback.exhibit().genome()->hue,
                             frame.viewer.highlight,
-                            playback.creature().motion().stretches()};
+                            playback.creature().motion().stretches(),
+                            shown_look(frame),
+                            shown_character(frame)};
     if (frame.view.overlays.grid) add_grid(scene, palette, canvas_.camera, canvas_.size());
     const TrialSurroundings& surroundings = playback.trial().surroundings();
     const ScentField* scent = surroundings.scent_field();
@@ -244,15 +278,25 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
         scene.add_trail(playback.creature().readings().trail(), 2.2 * canvas_.camera.pixel(),
                         with_alpha(palette.accent, 0.8F));
     }
-    for (const auto& ghost : frame.viewer.ghosts)
-        add_ghost(
-            scene, canvas_.camera,
-            {ghost->phenotype(), ghost->poses(), {}, ghost->genome().hue, {}, ghost->stretches()});
-    if (playback.trial().bout() != nullptr)
-        add_bout(scene, palette, canvas_.camera, bout_look(playback));
+    if (look.mode != LookMode::kMechanics)
+        add_small_life(scene, playback.creature().readings().scuffs(), look.character.time,
+                       playback.creature().replay().environment());
+    for (const auto& ghost : frame.viewer.ghosts) {
+        CreatureLook pale{ghost->phenotype(), ghost->poses(), {}, ghost->genome().hue, {},
+                          ghost->stretches(), frame.view.look};
+        pale.character.line = line_or_hue(ghost->line(), ghost->genome().hue);
+        pale.character.walks = look.character.walks;
+        add_pale_being(scene, canvas_.camera, pale);
+    }
+    if (playback.trial().bout() != nullptr) {
+        BoutLook bout = bout_look(playback);
+        bout.mode = look.mode;
+        bout.time = look.character.time;
+        add_bout(scene, palette, canvas_.camera, bout);
+    }
     const LightSource& light = surroundings.source();
     if (light.is_on()) add_light(scene, canvas_.camera, canvas_.size(), light.place().head<2>());
-    add_creature(scene, palette, canvas_.camera, look);
+    add_being(scene, palette, canvas_.camera, look);
     if (frame.view.overlays.sounds) add_sounds(scene, canvas_.camera, surroundings.sounds());
     add_overlays(frame, look);
     const Hold* hold = playback.creature().hold();

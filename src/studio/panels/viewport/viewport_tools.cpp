@@ -21,6 +21,16 @@ constexpr std::array kGhostLines = {
     GhostLine{"Five across the run", "From the first champion to the newest, evenly spaced."},
 };
 
+struct LookLine {
+    const char* label;
+    const char* help;
+};
+constexpr std::array kLookLines = {
+    LookLine{"Life", "Creatures in their skin, with the pattern of their founder's line. (L)"},
+    LookLine{"Glass", "Their boxes and joints through a pale skin. (L)"},
+    LookLine{"Mechanics", "The boxes and joints that physics moves. (L)"},
+};
+
 bool line(const char* label, bool chosen, const char* help) {
     const bool pressed = ImGui::MenuItem(label, nullptr, chosen);
     note_place(label);
@@ -30,6 +40,8 @@ bool line(const char* label, bool chosen, const char* help) {
 
 // Draws one switch for each overlay. The menu stays open while several are switched.
 void overlay_lines(const FrameContext& frame, Requests& out) {
+    look_lines(frame, out);
+    ImGui::Separator();
     for (const OverlayKind& overlay : overlay_kinds()) {
         bool shown = frame.view.overlays.*overlay.shown;
         const bool switched = toggle_switch(overlay.label, shown);
@@ -76,6 +88,16 @@ void ghost_lines(const FrameContext& frame, Requests& out) {
         if (!line(kGhostLines[i].label, frame.view.ghosts == choice, kGhostLines[i].help)) continue;
         ViewState view = frame.view;
         view.ghosts = choice;
+        out.ask(ChangeView{view});
+    }
+}
+
+void look_lines(const FrameContext& frame, Requests& out) {
+    for (std::size_t i = 0; i < kLookLines.size(); ++i) {
+        const auto look = static_cast<LookMode>(i);
+        if (!line(kLookLines[i].label, frame.view.look == look, kLookLines[i].help)) continue;
+        ViewState view = frame.view;
+        view.look = look;
         out.ask(ChangeView{view});
     }
 }

@@ -10,6 +10,8 @@ namespace cambrian {
 void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& out);
 
 // Draws the choices of ghosts as menu lines, in the order of GhostChoice.
+// Draws a line for each mode in which creatures are seen.
+void look_lines(const FrameContext& frame, Requests& out);
 void ghost_lines(const FrameContext& frame, Requests& out);
 
 }  // namespace cambrian

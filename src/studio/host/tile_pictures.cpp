@@ -1,0 +1,159 @@
+#include "studio/host/tile_pictures.h"
+
+#include "math/bounds.h"
+#include "pictures/scene/living_look.h"
+#include "render/opengl/gl.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr int kPageSide = 1024;  // pixels
+constexpr std::size_t kMostPages = 8;
+constexpr double kMostScale = 60.0;  // pixels per metre, before the display's scale
+constexpr double kRoom = 1.06;       // of a body's size, for its outline
+
+class BodyHash {
+public:
+    void add(double number) {
+        bits_ ^= std::bit_cast<std::uint64_t>(number);
+        bits_ *= 0xBF58476D1CE4E5B9U;
+        bits_ ^= bits_ >> 29U;
+    }
+    std::uint64_t bits() const { return bits_; }
+
+private:
+    std::uint64_t bits_ = 0x9E3779B97F4A7C15U;
+};
+
+Bounds bounds_at_rest(const BodyPlan& plan) {
+    Bounds bounds;
+    for (const PlannedPart& part : plan.parts) {
+        const Vec3& half = part.half_extents;
+        for (const double x : {-half.x(), half.x()}) {
+            for (const double y : {-half.y(), half.y()})
+                bounds.add(transform(part.rest_pose, {x, y, 0.0}));
+        }
+    }
+    return bounds;
+}
+
+// Restores what was bound when a picture has been drawn.
+class Bound {
+public:
+    explicit Bound(const PaintedTexture& texture) {
+        glGetIntegerv(GL_FRAMEBUFFER_BINDING, &before_);
+        texture.bind_to_draw();
+    }
+    ~Bound() {
+        glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(before_));
+        glDisable(GL_SCISSOR_TEST);
+    }
+    Bound(const Bound&) = delete;
+    Bound& operator=(const Bound&) = delete;
+
+private:
+    GLint before_ = 0;
+};
+
+}  // namespace
+
+std::size_t TilePictures::Page::columns() const {
+    return static_cast<std::size_t>(kPageSide / width);
+}
+
+std::size_t TilePictures::Page::cells() const {
+    return columns() * static_cast<std::size_t>(kPageSide / height);
+}
+
+TilePictures::Key TilePictures::key_of(const TileWish& wish) {
+    BodyHash hash;
+    for (std::size_t i = 0; i < wish.phenotype.parts.size(); ++i) {
+        const PlannedPart& part = wish.phenotype.plan.parts[i];
+        for (const double number :
+             {part.half_extents.x(), part.half_extents.y(), part.rest_pose.position.x(),
+              part.rest_pose.position.y(), part.rest_angle,
+              static_cast<double>(wish.phenotype.parts[i].node)})
+            hash.add(number);
+    }
+    return {hash.bits(), wish.line, wish.hue, wish.width, wish.height};
+}
+
+// Returns a page with a free cell of this size: one there is, a new one, or the one that was used
+// longest ago, emptied.
+std::optional<std::size_t> TilePictures::page_for(int width, int height) {
+    for (std::size_t i = 0; i < pages_.size(); ++i) {
+        const Page& page = pages_[i];
+        if (page.width == width && page.height == height && page.used < page.cells()) return i;
+    }
+    if (pages_.size() < kMostPages) {
+        auto texture = PaintedTexture::create(kPageSide, kPageSide);
+        if (!texture) return std::nullopt;
+        pages_.push_back({std::move(*texture), width, height});
+        return pages_.size() - 1;
+    }
+    const auto oldest =
+        std::min_element(pages_.begin(), pages_.end(),
+                         [](const Page& a, const Page& b) { return a.asked < b.asked; });
+    const auto index = static_cast<std::size_t>(oldest - pages_.begin());
+    std::erase_if(places_, [index](const auto& each) { return each.second.page == index; });
+    oldest->width = width;
+    oldest->height = height;
+    oldest->used = 0;
+    return index;
+}
+
+void TilePictures::paint(const TileWish& wish, const Place& place) {
+    const Page& page = pages_[place.page];
+    const Bounds bounds = bounds_at_rest(wish.phenotype.plan);
+    // The body stands on the ground.
+    const Vec3 lift(0.0, -bounds.low.y(), 0.0);
+    std::vector<Pose> poses;
+    for (const PlannedPart& part : wish.phenotype.plan.parts)
+        poses.push_back({part.rest_pose.position + lift, part.rest_pose.orientation});
+    const Vec3 size = (kRoom * (bounds.high - bounds.low)).cwiseMax(0.01);
+    Camera camera;
+    camera.center = (0.5 * (bounds.low + bounds.high) + lift).head<2>();
+    camera.pixels_per_metre = std::min({wish.width / size.x(), wish.height / size.y(),
+                                        kMostScale * static_cast<double>(ui().scale)});
+    CreatureLook look{wish.phenotype, poses};
+    look.hue = wish.hue;
+    look.character.line = wish.line;
+    SceneFrame frame;
+    // Transparent, in the colour of outlines, which edges fade to.
+    frame.background = color_of(0x2A211C, 0.0F);
+    add_being(frame, colors(), camera, look);
+    const Bound bound(page.texture);
+    const int column = static_cast<int>(place.cell % page.columns());
+    const int row = static_cast<int>(place.cell / page.columns());
+    renderer_.draw(frame, camera,
+                   {column * page.width, row * page.height, page.width, page.height});
+}
+
+std::optional<TilePicture> TilePictures::of(const TileWish& wish) {
+    if (wish.width > kPageSide || wish.height > kPageSide) return std::nullopt;
+    const Key key = key_of(wish);
+    auto found = places_.find(key);
+    if (found == places_.end()) {
+        const auto page = page_for(wish.width, wish.height);
+        if (!page) return std::nullopt;
+        const Place place{*page, pages_[*page].used++};
+        paint(wish, place);
+        found = places_.emplace(key, place).first;
+    }
+    Page& page = pages_[found->second.page];
+    page.asked = ++wishes_;
+    constexpr float kSide = kPageSide;
+    const auto left =
+        static_cast<float>(found->second.cell % page.columns()) * static_cast<float>(page.width);
+    const auto foot =
+        static_cast<float>(found->second.cell / page.columns()) * static_cast<float>(page.height);
+    return TilePicture{std::bit_cast<ImTextureID>(std::uintptr_t{page.texture.name()}),
+                       {left / kSide, (foot + static_cast<float>(page.height)) / kSide},
+                       {(left + static_cast<float>(page.width)) / kSide, foot / kSide}};
+}
+
+}  // namespace cambrian

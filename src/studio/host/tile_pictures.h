@@ -1,0 +1,63 @@
+#pragma once
+
+// Pictures of living bodies at rest, drawn once into textures and kept. Many share one texture, so
+// that a list of tiles is drawn at once.
+
+#include "render/opengl/painted_texture.h"
+#include "render/renderer.h"
+#include "studio/look/ui_context.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace cambrian {
+
+// Needs a current context of OpenGL, also at its end.
+class TilePictures {
+public:
+    // The renderer must outlive the object.
+    explicit TilePictures(Renderer& renderer) : renderer_(renderer) {}
+
+    // Returns a picture, drawn now if it was never asked for or was given up since. Nothing if it
+    // is too large. Pictures that were not asked for lately are given up for others.
+    std::optional<TilePicture> of(const TileWish& wish);
+
+private:
+    // What the picture of a wish depends on.
+    struct Key {
+        std::uint64_t body = 0;
+        std::uint64_t line = 0;
+        double hue = 0.0;
+        int width = 0;
+        int height = 0;
+
+        auto operator<=>(const Key&) const = default;
+    };
+    // A texture divided into cells of one size.
+    struct Page {
+        PaintedTexture texture;
+        int width = 1;  // pixels; of a cell
+        int height = 1;
+        std::size_t used = 0;     // cells
+        std::uint64_t asked = 0;  // number of the last wish for one of its pictures
+
+        std::size_t columns() const;
+        std::size_t cells() const;
+    };
+    struct Place {
+        std::size_t page = 0;
+        std::size_t cell = 0;
+    };
+    static Key key_of(const TileWish& wish);
+    std::optional<std::size_t> page_for(int width, int height);
+    void paint(const TileWish& wish, const Place& place);
+
+    Renderer& renderer_;
+    std::vector<Page> pages_;
+    std::map<Key, Place> places_;
+    std::uint64_t wishes_ = 0;
+};
+
+}  // namespace cambrian
