@@ -28,9 +28,11 @@ struct FinishEdit {};
 struct UndoEdit {};
 struct RedoEdit {};
 // Starts a new run from generation 0 with the draft settings. The founders are the present
-// population or random creatures.
+// population or random creatures. With the same seed and random creatures it repeats the present
+// run as far as the settings are equal; otherwise a new seed is drawn.
 struct StartNewRun {
     bool keep_population = false;
+    bool same_seed = false;
 };
 // Starts a new run whose founders are the displayed creature and those that the settings add.
 struct StartFromShown {};

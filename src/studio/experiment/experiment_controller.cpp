@@ -70,12 +70,13 @@ struct ExperimentController::Handler {
         const EvolutionSnapshot& snapshot = self.experiment_.snapshot();
         std::vector<GenomePtr> founders;
         if (request.keep_population) founders = genomes_of(snapshot.population);
-        self.begin_run(std::move(founders));
+        const RunSeed seed = request.same_seed ? RunSeed::kSame : RunSeed::kNew;
+        self.begin_run(std::move(founders), seed);
     }
     void operator()(const StartFromShown&) const {
         const Playback& playback = self.viewer_.playback();
         if (playback.empty()) return;
-        self.begin_run({playback.exhibit().genome()});
+        self.begin_run({playback.exhibit().genome()}, RunSeed::kNew);
     }
     void operator()(const DropStructuralEdits&) const {
         SettingsEditor& editor = self.experiment_.editor();
@@ -144,15 +145,16 @@ void ExperimentController::show_random_creature() {
                   .title = "A random creature"});
 }
 
-void ExperimentController::begin_run(std::vector<GenomePtr> founders) {
+void ExperimentController::begin_run(std::vector<GenomePtr> founders, RunSeed seed) {
     const bool any = !experiment_.snapshot().history.empty();
-    const Status status = experiment_.start_new_run(std::move(founders));
+    const Status status = experiment_.start_new_run(std::move(founders), seed);
     if (!status) return services_.feedback.report(status);
     services_.feedback.log().write("new run");
     new_run_last_ = any;
-    if (any)
-        services_.feedback.tell(
-            NoticeKind::kDone, "A new run begins. The one before is kept; Ctrl+Z goes back to it.");
+    services_.feedback.tell(
+        NoticeKind::kDone,
+        fmt::format("A new run begins, with seed {}.{}", experiment_.editor().draft().seed,
+                    any ? " The one before is kept; Ctrl+Z goes back to it." : ""));
 }
 
 void ExperimentController::commit() {

@@ -40,7 +40,7 @@ public:
 
 private:
     struct Handler;
-    void begin_run(std::vector<GenomePtr> founders);
+    void begin_run(std::vector<GenomePtr> founders, RunSeed seed);
     void commit();
     void change_draft(void (SettingsEditor::*change)());
     void follow_world(const Environment& before);

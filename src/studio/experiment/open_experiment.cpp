@@ -2,6 +2,7 @@
 
 #include "picking/handover.h"
 
+#include <random>
 #include <utility>
 
 namespace cambrian {
@@ -9,6 +10,7 @@ namespace {
 
 constexpr double kRateWindow = 0.5;  // s between two readings of the rate
 constexpr double kRateInertia = 0.6;
+constexpr std::uint64_t kMostDrawnSeed = 999'999;  // short enough to be noted
 
 }  // namespace
 
@@ -24,6 +26,7 @@ OpenExperiment::OpenExperiment(ExperimentSettings settings, const EvolutionKinds
       fields_(setting_fields(kinds)),
       editor_(completed(std::move(settings), fields_)),
       files_(kinds),
+      run_seed_(editor_.draft().seed),
       engine_(std::make_shared<const ExperimentSettings>(editor_.draft()), kinds,
               std::move(backend), files_.kept()),
       snapshot_(engine_.latest()) {}
@@ -96,16 +99,27 @@ Status OpenExperiment::commit() {
     return {};
 }
 
-Status OpenExperiment::start_new_run(std::vector<GenomePtr> founders) {
+Status OpenExperiment::start_new_run(std::vector<GenomePtr> founders, RunSeed seed) {
     editor_.finish();
     if (Status fault = check_settings(editor_.draft(), kinds_); !fault) return fault;
+    if (seed == RunSeed::kNew && editor_.draft().seed == run_seed_) draw_seed();
     start(std::move(founders));
     ++runs_begun_;
     return {};
 }
 
+void OpenExperiment::draw_seed() {
+    ExperimentSettings drawn = editor_.draft();
+    std::random_device chance;
+    while (drawn.seed == editor_.draft().seed)
+        drawn.seed = 1 + chance() % kMostDrawnSeed;
+    editor_.edit(std::move(drawn), "run.seed");
+    editor_.finish();
+}
+
 void OpenExperiment::start(std::vector<GenomePtr> founders) {
     files_.begin(*snapshot_);
+    run_seed_ = editor_.draft().seed;
     send(StartExperiment{std::make_shared<const ExperimentSettings>(editor_.draft()),
                          std::move(founders), files_.kept()});
 }
@@ -119,6 +133,7 @@ void OpenExperiment::go_on(SavedExperiment saved, std::shared_ptr<ExperimentFile
                            const std::filesystem::path& path) {
     files_.open(*snapshot_, std::move(file), path);
     editor_.replace(completed(*setting_changes(saved).back().settings, fields_));
+    run_seed_ = editor_.draft().seed;
     send(ContinueExperiment{std::make_shared<const SavedExperiment>(std::move(saved)),
                             files_.kept()});
 }
@@ -126,7 +141,7 @@ void OpenExperiment::go_on(SavedExperiment saved, std::shared_ptr<ExperimentFile
 Status OpenExperiment::replace(const ExperimentSettings& settings) {
     if (Status fault = check_settings(settings, kinds_); !fault) return fault;
     editor_.replace(completed(settings, fields_));
-    return start_new_run({});
+    return start_new_run({}, RunSeed::kSame);
 }
 
 }  // namespace cambrian

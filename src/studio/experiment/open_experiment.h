@@ -17,6 +17,10 @@
 
 namespace cambrian {
 
+// The seed of a new run: another one than that of the present run, unless the user chose one in the
+// draft, or the same.
+enum class RunSeed : std::uint8_t { kNew, kSame };
+
 class OpenExperiment {
 public:
     // The settings must pass check_settings().
@@ -52,13 +56,14 @@ public:
     // Edits that make it contradict itself are taken back, and the error says why.
     Status commit();
     // Starts a new run with the draft settings from these founders or, if there are none, random
-    // ones.
-    Status start_new_run(std::vector<GenomePtr> founders);
+    // ones. A new seed is drawn into the draft.
+    Status start_new_run(std::vector<GenomePtr> founders, RunSeed seed = RunSeed::kNew);
     // Starts a new run with other settings.
     Status replace(const ExperimentSettings& settings);
 
 private:
     void start(std::vector<GenomePtr> founders);
+    void draw_seed();
     void measure();
 
     const EvolutionKinds& kinds_;
@@ -66,6 +71,7 @@ private:
     SettingsEditor editor_;
     RunFiles files_;
     unsigned runs_begun_ = 0;
+    std::uint64_t run_seed_;  // of the present run
     EvolutionEngine engine_;
     std::deque<EngineCommand> unsent_;  // commands that did not fit into the engine's inbox
     std::shared_ptr<const EvolutionSnapshot> snapshot_;

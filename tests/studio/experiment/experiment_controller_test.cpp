@@ -91,6 +91,46 @@ TEST_CASE("a new run from the present creatures begins with them", "[studio][exp
     CHECK(run.champions() == 0);
 }
 
+namespace {
+
+// Begins a new run and returns its seed and the genomes it begins with, evaluated.
+std::pair<std::uint64_t, std::vector<std::uint64_t>> run_begun(StudioRun& run,
+                                                               const StartNewRun& request) {
+    const auto experiment = run.studio.frame_context().experiment.snapshot.experiment;
+    run.ask(request);
+    REQUIRE(run.frames_until([&] {
+        return run.studio.frame_context().experiment.snapshot.experiment == experiment + 1;
+    }));
+    test::finish_generations(run, 1);
+    const EvolutionSnapshot& snapshot = run.studio.frame_context().experiment.snapshot;
+    CHECK(run.studio.frame_context().experiment.editor.draft().seed == snapshot.settings->seed);
+    std::vector<std::uint64_t> genomes;
+    for (const IndividualPtr& one : snapshot.population)
+        genomes.push_back(one->genome_hash);
+    return {snapshot.settings->seed, genomes};
+}
+
+}  // namespace
+
+TEST_CASE("a new run has a new seed, or the same one if that is asked for",
+          "[studio][experiment]") {
+    StudioRun run;
+    const auto first = run_begun(run, {.same_seed = true});
+    CHECK(first.first == 1);
+    const auto second = run_begun(run, {});
+    CHECK(second.first != first.first);
+    CHECK(second.second != first.second);
+    const auto again = run_begun(run, {.same_seed = true});
+    CHECK(again == second);
+    const auto third = run_begun(run, {});
+    CHECK(third.first != second.first);
+    ExperimentSettings typed = run.studio.frame_context().experiment.editor.draft();
+    typed.seed = 1;
+    run.ask(EditSettings{typed, "run.seed"});
+    run.ask(FinishEdit{});
+    CHECK(run_begun(run, {}) == first);
+}
+
 TEST_CASE("undo also reverts an edit in the engine", "[studio][experiment]") {
     StudioRun run;
     ExperimentSettings edited = run.studio.frame_context().experiment.editor.draft();

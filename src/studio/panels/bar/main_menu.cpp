@@ -69,7 +69,8 @@ void draw_edit_menu(const FrameContext& frame, Requests& out) {
         out.ask(RedoEdit{});
     if (menu_item("Find a setting", "Ctrl+F")) out.ask(FindSetting{});
     ImGui::Separator();
-    if (menu_item("New run", nullptr)) out.ask(StartNewRun{false});
+    if (menu_item("New run", nullptr)) out.ask(StartNewRun{});
+    if (menu_item("New run with the same seed", nullptr)) out.ask(StartNewRun{.same_seed = true});
     const bool any = !frame.experiment.snapshot.population.empty();
     if (menu_item("New run from these creatures", nullptr, any)) out.ask(StartNewRun{true});
     if (menu_item("New run from the creature on display", nullptr, !frame.viewer.playback.empty()))

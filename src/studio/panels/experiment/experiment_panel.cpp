@@ -249,7 +249,8 @@ void ExperimentPanel::draw_run_warning(const FrameContext& frame, Requests& out)
         names += ", " + waiting[i];
     muted_text(
         fmt::format("{} {} effect in a new run.", names, waiting.size() == 1 ? "takes" : "take"));
-    if (push_button("New run", {.look = ButtonLook::kPrimary, .tooltip = "From random creatures."}))
+    if (push_button("New run", {.look = ButtonLook::kPrimary,
+                                .tooltip = "From random creatures, with another seed."}))
         out.ask(StartNewRun{false});
     ImGui::SameLine();
     if (push_button("Keep creatures", {.tooltip = "A new run from the present population."}))
