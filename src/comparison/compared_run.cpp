@@ -122,11 +122,11 @@ std::optional<FinishedRun> perform(const PlannedRun& run, const EvolutionKinds& 
         if (row.evaluations >= run.trials || stop.stop_requested()) break;
         evolution.breed();
     }
-    const IndividualPtr champion = evolution.confirmed_champion(backend, progress, stop);
-    if (stop.stop_requested()) return std::nullopt;
-    note_end(row, evolution, *champion, kinds);
+    const auto champion = evolution.confirmed_champion(backend, progress, stop);
+    if (!champion) return std::nullopt;
+    note_end(row, evolution, **champion, kinds);
     row.seconds = thread_cpu_time() - begun;
-    return FinishedRun{std::move(row), champion, evolution.shared_settings()};
+    return FinishedRun{std::move(row), *champion, evolution.shared_settings()};
 }
 
 }  // namespace cambrian

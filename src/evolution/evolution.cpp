@@ -99,9 +99,9 @@ std::vector<std::size_t> Evolution::survivors_of(std::span<const IndividualPtr> 
     return cambrian::survivors_of(ranked, *settings_, *kinds_, generation_ + 1, memory_);
 }
 
-IndividualPtr Evolution::confirmed_champion(EvaluationBackend& backend,
-                                            EvaluationProgress& progress,
-                                            std::stop_token stop) const {
+std::optional<IndividualPtr> Evolution::confirmed_champion(EvaluationBackend& backend,
+                                                           EvaluationProgress& progress,
+                                                           std::stop_token stop) const {
     CAMBRIAN_ASSERT(evaluated_, "only an evaluated generation has a champion");
     if (settings_->selection.confirmations == 0) return population_.front();
     std::vector<IndividualPtr> candidates;
@@ -118,12 +118,13 @@ IndividualPtr Evolution::confirmed_champion(EvaluationBackend& backend,
     const auto others = std::span(probes).last(kChampionWorlds);
     Confirmation confirmation;
     if (!confirmation.confirm(candidates, everybody, others, {backend, *settings_, progress, stop}))
-        return population_.front();
+        return std::nullopt;
     const ExperimentSettings accurate = accurate_settings(*settings_, *kinds_);
     const auto champion =
         std::find_if(candidates.begin(), candidates.end(), [&](const IndividualPtr& one) {
             return is_accurate(*one, {backend, accurate, progress, stop});
         });
+    if (stop.stop_requested()) return std::nullopt;
     return champion != candidates.end() ? *champion : candidates.front();
 }
 

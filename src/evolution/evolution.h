@@ -44,12 +44,13 @@ public:
     bool evaluate(EvaluationBackend& backend, EvaluationProgress& progress,
                   const std::stop_token& stop);
 
-    // Returns the best of the survivors, confirmed in ten more slightly changed worlds, whose score
-    // an accurate computation (is_accurate()) changes by at most a tenth; if there is none, the
-    // best of them. Without confirmation in the settings, or if stopped, it is the best by score.
-    // Must be called after evaluate().
-    IndividualPtr confirmed_champion(EvaluationBackend& backend, EvaluationProgress& progress,
-                                     std::stop_token stop) const;
+    // Returns the audited champion: the best of the survivors, confirmed in ten more slightly
+    // changed worlds, whose score an accurate computation (is_accurate()) changes by at most a
+    // tenth; if there is none, the best of them. Without confirmation in the settings, it is the
+    // best by score. Returns nothing if stopped. Must be called after evaluate().
+    std::optional<IndividualPtr> confirmed_champion(EvaluationBackend& backend,
+                                                    EvaluationProgress& progress,
+                                                    std::stop_token stop) const;
 
     // Replaces the generation by survivors and offspring. Must be called after evaluate().
     void breed();

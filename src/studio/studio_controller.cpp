@@ -95,6 +95,7 @@ void StudioController::update(double now, double elapsed) {
     machines_.update(now);
     comparison_.update();
     if (!picking_.on() && !preserve_.on()) generations_.follow_newest();
+    generations_.follow_audit();
     const Stopwatch spent;
     picking_.update(elapsed);
     preserve_.update();

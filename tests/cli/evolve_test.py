@@ -259,6 +259,20 @@ class Evolve(ProgramTest):
         self.assertGreater(audited["finished"], 0)
         self.assertLessEqual(audited["would_have_survived"], audited["finished"])
 
+    def test_the_exported_champion_is_the_one_that_was_audited(self):
+        self.write("small.toml", SMALL)
+        self.run_well("evolve", "small.toml", "--seed", 3, "--out", "one/")
+        saved = (self.folder / "one/champion-walking-seed3.creature.json").read_text()
+        run = "one/walking-seed3.cambrian"
+        self.assertEqual(json.loads(saved)["scored"]["confirmed"]["worlds"], 11)
+        self.assertEqual(self.run_well("export", run, "--champion").stdout, saved)
+        # It is so for the run that goes on, too.
+        self.run_well("evolve", "--resume", run, "-n", 5, "--out", "later.json")
+        later = (self.folder / "later.json").read_text()
+        self.assertEqual(self.run_well("export", run, "--champion").stdout, later)
+        self.assertEqual(self.run_well("export", run, "-g", 2).stdout, saved)
+        self.run_well("verify", run)
+
     def test_founders_begin_the_population(self):
         self.write("small.toml", SMALL + "[selection]\nconfirmations = 0\n")
         self.run_well("evolve", "small.toml", "-n", 1, "-s", 3, "-o", "a.json")

@@ -170,13 +170,13 @@ TEST_CASE("the champion is the best of the survivors in ten more worlds",
     backend.in_probe = [&](double fitness, const Probe&) {
         return fitness == best->result.fitness ? 0.5 * fitness : fitness;
     };
-    const IndividualPtr champion = evolution.confirmed_champion(backend, progress, {});
+    const IndividualPtr champion = *evolution.confirmed_champion(backend, progress, {});
     CHECK(champion->result.scores.size() == 11);
     CHECK(champion->uid != best->uid);
     auto without = of_twenty();
     without->selection.confirmations = 0;
     const Evolution plain = evolved(without, backend, 1);
-    CHECK(plain.confirmed_champion(backend, progress, {}) == plain.population().front());
+    CHECK(*plain.confirmed_champion(backend, progress, {}) == plain.population().front());
     CHECK_FALSE(tried_again(*plain.population().front()));
 }
 
@@ -190,11 +190,20 @@ TEST_CASE("the champion keeps its score in an accurate computation", "[evolution
             if (settings.world.scene.tolerance > 1e-6) return fitness;
             return fitness * (fitness == best ? share_of_best : share_of_others);
         };
-        return evolution.confirmed_champion(backend, progress, {})->result.fitness;
+        return (*evolution.confirmed_champion(backend, progress, {}))->result.fitness;
     };
     CHECK(champion_if(0.91, 1.0) == best);
     CHECK(champion_if(1.09, 1.0) == best);
     CHECK(champion_if(0.89, 0.91) < best);
     CHECK(champion_if(1.11, 1.0) < best);
     CHECK(champion_if(0.5, 0.5) == best);  // nobody keeps its score
+}
+
+TEST_CASE("an audit that is interrupted names no champion", "[evolution][confirmation]") {
+    FakeBackend backend;
+    EvaluationProgress progress;
+    const Evolution evolution = evolved(of_twenty(), backend, 1);
+    std::stop_source stop;
+    stop.request_stop();
+    CHECK_FALSE(evolution.confirmed_champion(backend, progress, stop.get_token()));
 }

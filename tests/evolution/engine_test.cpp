@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <mutex>
 #include <semaphore>
 #include <thread>
 #include <vector>
@@ -80,6 +81,68 @@ TEST_CASE("evolution runs until paused", "[evolution][engine][threads]") {
         engine, [](const EvolutionSnapshot& s) { return s.status == EngineStatus::kPaused; });
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     CHECK(engine.latest()->history.size() == paused->history.size());
+}
+
+namespace {
+
+// Counts the champions that are stored, and remembers the last.
+class CrownLog final : public ExperimentLog {
+public:
+    Status begin(const SettingsPtr&, const std::vector<GenomePtr>&) override { return {}; }
+    Status note(const NotedCommand&) override { return {}; }
+    Status record(const Evolution&) override { return {}; }
+    Status crown(const JudgedIndividual& champion) override {
+        const std::lock_guard guard(mutex_);
+        crowned_.push_back(champion);
+        return {};
+    }
+    std::vector<JudgedIndividual> crowned() const {
+        const std::lock_guard guard(mutex_);
+        return crowned_;
+    }
+
+private:
+    mutable std::mutex mutex_;
+    std::vector<JudgedIndividual> crowned_;
+};
+
+}  // namespace
+
+TEST_CASE("the champion of a pause is the audited one that a run without a window ends with",
+          "[evolution][engine][threads]") {
+    const auto half_of_best = [](double fitness, const ExperimentSettings& settings) {
+        return settings.world.scene.tolerance > 1e-6 || fitness < 4.0 ? fitness : 0.5 * fitness;
+    };
+    const SettingsPtr settings = settings_of(60);
+    FakeBackend plain;
+    plain.under = half_of_best;
+    const Evolution evolution = test::evolved(settings, plain, 2);
+    EvaluationProgress progress;
+    const IndividualPtr expected = *evolution.confirmed_champion(plain, progress, {});
+    REQUIRE(expected->uid != evolution.population().front()->uid);
+
+    auto backend = std::make_unique<FakeBackend>();
+    backend->under = half_of_best;
+    const auto log = std::make_shared<CrownLog>();
+    EvolutionEngine engine(settings, kinds(), std::move(backend), log);
+    for (std::size_t step = 1; step <= 2; ++step) {
+        REQUIRE(engine.send(StepGeneration{}));
+        wait_for(engine, [&](const EvolutionSnapshot& s) {
+            return finished(s, step) && !s.champions.back().individual->result.scores.empty() &&
+                   s.champions.back().individual->result.scores.size() > 3;
+        });
+    }
+    const auto paused = engine.latest();
+    CHECK(paused->status == EngineStatus::kPaused);
+    const JudgedIndividual& champion = paused->champions.back();
+    CHECK(champion.individual->uid == expected->uid);
+    CHECK(champion.individual->result.scores == expected->result.scores);
+    CHECK(champion.individual->result.fitness == expected->result.fitness);
+    CHECK(champion.generation == 1);
+    const auto crowned = log->crowned();
+    REQUIRE(crowned.size() == 2);
+    CHECK(crowned.back().individual == champion.individual);
+    CHECK(crowned.back().generation == 1);
 }
 
 TEST_CASE("commands during a run do not change what evolves", "[evolution][engine][threads]") {

@@ -418,6 +418,52 @@ TEST_CASE("an experiment that has the most changes of settings takes no more",
     CHECK_THAT(noted.error().message, Catch::Contains("5000 changes of settings"));
 }
 
+TEST_CASE("the audited champion takes the place of the best by score, and the run goes on",
+          "[persist][experiment_file]") {
+    KeptRun run;
+    run_on(run.evolution, *run.file, 3);
+    const auto crowned = [&](std::size_t place) {
+        Individual audited = *run.evolution.population().at(place);
+        audited.result.scores = {audited.result.fitness, 0.25, -0.5};
+        audited.result.fitness = 0.25;
+        const JudgedIndividual champion{run.evolution.generation(),
+                                        std::make_shared<const Individual>(audited),
+                                        run.evolution.shared_settings()};
+        REQUIRE(run.file->crown(champion));
+        return champion;
+    };
+    // The last of the ranking, whose genotype would be deleted; it is crowned twice.
+    const JudgedIndividual first = crowned(13);
+    const JudgedIndividual last = crowned(13);
+    const auto check = [&](const JudgedIndividual& champion) {
+        CHECK(champion.generation == 2);
+        check_equal(*champion.individual, *last.individual);
+    };
+    const auto digests = digests_of(run.path);
+    check(load_experiment(run.path, kinds())->champions.back());
+    check(load_champion(run.path, std::nullopt, kinds())->creature);
+    run.file.reset();
+    {
+        const auto opened = open_experiment(run.path, kinds());
+        REQUIRE(opened);
+        check(opened->saved.champions.back());
+        // Ancestors are known as before.
+        const auto mother = run.evolution.population().at(13)->mother.get();
+        const auto kept = opened->saved.champions.back().individual->mother.get();
+        REQUIRE((kept == nullptr) == (mother == nullptr));
+        if (kept != nullptr) CHECK(kept->uid == mother->uid);
+        Evolution later = resumed(opened->saved, kinds());
+        REQUIRE(opened->file->keep_stars({opened->saved.champions.back()}));
+        run_on(later, *opened->file, 6);
+    }
+    CHECK(digests_of(run.path)[2] == digests[2]);
+    check(load_experiment(run.path, kinds())->champions[2]);
+    check(load_champion(run.path, 2, kinds())->creature);
+    KeptRun never_crowned("b.cambrian");
+    run_on(never_crowned.evolution, *never_crowned.file, 6);
+    CHECK(digests_of(run.path) == digests_of(never_crowned.path));
+}
+
 TEST_CASE("a champion is read without the rest of its experiment", "[persist][experiment_file]") {
     const TemporaryDirectory folder;
     const auto path = folder / "a.cambrian";

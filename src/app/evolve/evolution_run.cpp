@@ -175,8 +175,9 @@ Result<Course> course_of(const EvolutionRun& run, const EvolutionKinds& kinds) {
 
 // The result of an evolution.
 struct Harvest {
-    IndividualPtr champion;       // best of the last generation saved; null if there was none
-    SettingsPtr settings;         // settings that evaluated it
+    // Of the last generation saved: audited unless that was interrupted, in which case it is the
+    // best by score.
+    std::optional<JudgedIndividual> champion;
     std::string_view stopped_by;  // a stop_reason(), "interruption" or "failure"
     Status kept;
     Status told;  // whether standard output could be written
@@ -203,6 +204,13 @@ private:
     BackendCounts before_;
 };
 
+// Makes the audited champion, if there is one, the run's and the file's.
+void crown(Harvest& harvest, Course& course, const std::optional<IndividualPtr>& audited) {
+    if (!audited) return;
+    harvest.champion->individual = *audited;
+    if (course.file) harvest.kept = course.file->crown(*harvest.champion);
+}
+
 // Evaluates, saves and breeds generations until the run ends.
 Harvest evolve(Course& course, EvaluationBackend& backend, const ReportedRun& run) {
     Harvest harvest;
@@ -227,8 +235,8 @@ Harvest evolve(Course& course, EvaluationBackend& backend, const ReportedRun& ru
             harvest.stopped_by = "failure";
             return harvest;
         }
-        harvest.champion = evolution.population().front();
-        harvest.settings = evolution.shared_settings();
+        harvest.champion = {evolution.generation(), evolution.population().front(),
+                            evolution.shared_settings()};
         harvest.told = bar.finish_generation(report.line(evolution.history().back()));
         if (!harvest.told) {
             harvest.stopped_by = "failure";
@@ -238,8 +246,8 @@ Harvest evolve(Course& course, EvaluationBackend& backend, const ReportedRun& ru
         if (harvest.stopped_by.empty() && interruption.requested())
             harvest.stopped_by = "interruption";
         if (!harvest.stopped_by.empty()) {
-            harvest.champion =
-                evolution.confirmed_champion(backend, progress, interruption.token());
+            crown(harvest, course,
+                  evolution.confirmed_champion(backend, progress, interruption.token()));
             return harvest;
         }
         evolution.breed();
@@ -251,11 +259,10 @@ ExitStatus report(const Course& course, const Harvest& harvest, const ReportedRu
                   const EvolutionKinds& kinds) {
     RunOutputs outputs = course.outputs;
     if (!outputs.champion.empty()) {
-        CreatureDocument champion = creature_document(
-            {.individual = harvest.champion, .settings = harvest.settings}, kinds);
+        CreatureDocument champion = creature_document(*harvest.champion, kinds);
         if (course.before) {
-            champion.notes.simulator = scored_by(*course.before, harvest.champion->born,
-                                                 course.evolution.history().back().generation);
+            champion.notes.simulator = scored_by(*course.before, harvest.champion->individual->born,
+                                                 harvest.champion->generation);
         }
         complete_score(champion, kinds);
         const auto saved = save_champion(outputs.champion, champion, kinds);
@@ -263,9 +270,10 @@ ExitStatus report(const Course& course, const Harvest& harvest, const ReportedRu
         outputs.champion = *saved;
     }
     if (!harvest.told) return fail(harvest.told.error(), ExitStatus::kFailed);
-    ReportedChampion champion{*harvest.champion};
-    if (kinds.goals.find(harvest.settings->goal)->shares != nullptr)
-        champion.held_out = held_out_score(harvest.champion->genome, *harvest.settings, kinds);
+    const auto& [generation, individual, settings] = *harvest.champion;
+    ReportedChampion champion{*individual};
+    if (kinds.goals.find(settings->goal)->shares != nullptr)
+        champion.held_out = held_out_score(individual->genome, *settings, kinds);
     return print_result_line(
         final_line(course.evolution, run, champion, outputs, harvest.stopped_by));
 }

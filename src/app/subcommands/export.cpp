@@ -28,8 +28,7 @@ public:
         app.add_option("experiment", file_, "Experiment or preserve file (*.cambrian)")
             ->type_name(option_type::kExperiment)
             ->required();
-        auto* champion =
-            app.add_flag("--champion", champion_, "Best creature of the last generation");
+        auto* champion = app.add_flag("--champion", champion_, "Champion of the last generation");
         auto* generation =
             app.add_option("-g,--generation", generation_,
                            "Number of the generation whose best creature is exported")

@@ -39,13 +39,15 @@ void EvolutionEngine::run(const std::stop_token& stop) {
             std::visit([this](auto& each) { apply(std::move(each)); }, command);
         });
         if (commanded) publish();
-        if (generations_to_run_ == 0) {
+        const bool paused = generations_to_run_ == 0;
+        if (paused && !unaudited_) {
             inbox_.wait(stop);
             continue;
         }
         try {
-            inbox_.work_until_command(
-                stop, [this](const std::stop_token& interrupted) { run_generation(interrupted); });
+            inbox_.work_until_command(stop, [this, paused](const std::stop_token& interrupted) {
+                paused ? audit_champion(interrupted) : run_generation(interrupted);
+            });
         } catch (const std::exception& failure) {
             stop_with(failure.what());
             publish();
@@ -71,11 +73,33 @@ void EvolutionEngine::run_generation(const std::stop_token& interrupted) {
         return;
     }
     show_generation();
+    unaudited_.emplace();
+    unaudited_->settings = evolution_->shared_settings();
+    unaudited_->generation = evolution_->generation();
+    unaudited_->population = evolution_->population();
+    unaudited_->memory = evolution_->selection_memory();
     evolution_->breed();
     for (SteeringCommand& command : std::exchange(deferred_, {}))
         std::visit([this](auto& each) { apply(std::move(each)); }, command);
     if (generations_to_run_ > 0) --generations_to_run_;
     if (generations_to_run_ == 0) shown_.status = EngineStatus::kPaused;
+    publish();
+}
+
+// While evolution is paused, the newest champion becomes the audited one, as at the end of a run
+// without a window.
+void EvolutionEngine::audit_champion(const std::stop_token& interrupted) {
+    EvaluationProgress progress;  // not that of the generation being evaluated
+    const auto champion =
+        Evolution(*unaudited_, kinds_).confirmed_champion(*backend_, progress, interrupted);
+    if (!champion && interrupted.stop_requested()) return;
+    unaudited_.reset();
+    JudgedIndividual& shown = shown_.champions.back();
+    if (!champion || *champion == shown.individual) return;
+    const JudgedIndividual audited{shown.generation, *champion, shown.settings};
+    const Status kept = log_ ? log_->crown(audited) : Status();
+    if (kept) shown = audited;
+    if (!kept) stop_with(kept.error().message);
     publish();
 }
 
@@ -89,6 +113,7 @@ void EvolutionEngine::show_generation() {
 }
 
 void EvolutionEngine::stop_with(std::string failure) {
+    unaudited_.reset();
     generations_to_run_ = 0;
     shown_.status = EngineStatus::kFailed;
     shown_.failure = std::move(failure);
@@ -186,6 +211,7 @@ void EvolutionEngine::apply(UseBackend command) {
 // Replaces the experiment by another one.
 void EvolutionEngine::start_showing(std::shared_ptr<ExperimentLog> log) {
     log_ = std::move(log);
+    unaudited_.reset();
     unkept_notes_.clear();
     deferred_.clear();
     const std::uint64_t experiment = shown_.experiment + 1;

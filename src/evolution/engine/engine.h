@@ -41,6 +41,7 @@ public:
 private:
     void run(const std::stop_token& stop);
     void run_generation(const std::stop_token& interrupted);
+    void audit_champion(const std::stop_token& interrupted);
     void show_generation();
     void start_showing(std::shared_ptr<ExperimentLog> log);
     bool steer(const SteeringCommand& command);
@@ -67,6 +68,8 @@ private:
     // The following members are used by the engine's thread only.
     std::shared_ptr<EvaluationBackend> backend_;
     std::optional<Evolution> evolution_;
+    // The newest generation as it was before it bred, until its champion is audited.
+    std::optional<EvolutionState> unaudited_;
     EvolutionSnapshot shown_;
     int generations_to_run_ = 0;  // -1 until paused
     double evaluating_ = 0.0;     // s spent on the present generation

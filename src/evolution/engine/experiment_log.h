@@ -35,6 +35,9 @@ public:
     virtual Status note(const NotedCommand& command) = 0;
     // Stores a generation that was evaluated and not yet bred from.
     virtual Status record(const Evolution& evolution) = 0;
+    // Stores the audited champion (Evolution::confirmed_champion()) of the newest recorded
+    // generation, in place of its best by score.
+    virtual Status crown(const JudgedIndividual& champion) = 0;
 };
 
 // A version of the simulator, and the first generation it computed.
@@ -48,10 +51,11 @@ struct SavedExperiment {
     std::vector<SimulatorChange> simulators;  // in order; the first computed generation 0
     SettingsPtr settings;                     // settings of generation 0
     std::vector<GenomePtr> founders;
-    std::vector<NotedCommand> journal;        // in order
-    std::vector<JudgedIndividual> champions;  // one per recorded generation
-    std::vector<std::uint64_t> digests;       // population_digest() of each recorded generation
-    std::optional<EvolutionState> latest;     // newest recorded generation
+    std::vector<NotedCommand> journal;  // in order
+    // One per recorded generation: the audited champion or, if there is none, the best by score.
+    std::vector<JudgedIndividual> champions;
+    std::vector<std::uint64_t> digests;    // population_digest() of each recorded generation
+    std::optional<EvolutionState> latest;  // newest recorded generation
 };
 
 // Applies to an evolution the commands that were given in its present generation.

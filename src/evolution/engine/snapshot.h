@@ -33,7 +33,9 @@ struct EvolutionSnapshot {
     std::vector<GenerationStatistics> history;
     // Evaluation time of each row of the history, in s; 0 where unknown.
     std::vector<double> wall_times;
-    std::vector<JudgedIndividual> champions;  // best creature of each finished generation
+    // The champion of each finished generation: audited, if evolution was paused after it,
+    // otherwise the best by score.
+    std::vector<JudgedIndividual> champions;
     std::vector<JournalEntry> journal;
 };
 

@@ -83,6 +83,10 @@ Status ExperimentFile::record(const Evolution& evolution) {
     return write([&](ExperimentWriter& writer) { writer.record(evolution); });
 }
 
+Status ExperimentFile::crown(const JudgedIndividual& champion) {
+    return write([&](ExperimentWriter& writer) { writer.crown(champion); });
+}
+
 Status ExperimentFile::keep_picking(const PickingRecord& picking) {
     return write([&](ExperimentWriter& writer) { writer.keep_picking(picking); });
 }

@@ -32,6 +32,7 @@ public:
     // These functions implement ExperimentLog.
     Status note(const NotedCommand& command);
     Status record(const Evolution& evolution);
+    Status crown(const JudgedIndividual& champion);
     // May be called on any thread.
     Status keep_picking(const PickingRecord& picking);
     Status keep_stars(const std::vector<JudgedIndividual>& stars);

@@ -258,9 +258,9 @@ private:
             latest.history.push_back(statistics);
             latest.generation = statistics.generation;
             latest.settings = settings(row.integer(more + 2));
-            read_.saved.champions.push_back(
-                {statistics.generation, individuals_.read(row_ref(row, more), *latest.settings),
-                 latest.settings});
+            read_.saved.champions.push_back({statistics.generation,
+                                             champion(row_ref(row, more), *latest.settings),
+                                             latest.settings});
             read_.saved.digests.push_back(static_cast<std::uint64_t>(row.integer(more + 3)));
             read_column(row, more + 4, latest.termination_audit.finished);
             read_column(row, more + 5, latest.termination_audit.survived);
@@ -269,6 +269,11 @@ private:
         }
         read_births(database_, latest.history);
         if (!latest.history.empty()) read_.saved.latest = std::move(latest);
+    }
+
+    // An audited champion has scores of its own, as those that were chosen have.
+    IndividualPtr champion(const RowRef& row, const ExperimentSettings& settings) {
+        return row.judged < 0 ? chosen(row, settings) : individuals_.read(row, settings);
     }
 
     void read_latest() {

@@ -36,6 +36,8 @@ ExperimentWriter::ExperimentWriter(Database database, const EvolutionKinds& kind
                       more_places(kStatisticsColumns.size() + kMoreGenerationColumns +
                                   kLaterStatisticsColumns.size() - 1)))),
       insert_births_(database_.prepare("INSERT INTO births VALUES (?, ?, ?)")),
+      update_champion_(database_.prepare("UPDATE generations SET champion = ?, champion_judged = ? "
+                                         "WHERE generation = ?")),
       insert_grid_(
           database_.prepare(fmt::format("INSERT INTO grids VALUES (?{})", more_places(8)))),
       insert_cell_(database_.prepare("INSERT INTO grid_cells VALUES (?, ?, ?, ?)")),
@@ -106,6 +108,16 @@ void ExperimentWriter::record(const Evolution& evolution) {
     });
 }
 
+// The audit's scores are further ones of a creature of the population, which keeps its own.
+void ExperimentWriter::crown(const JudgedIndividual& champion) {
+    transact([&] {
+        const auto living = known_.individuals.find(champion.individual->uid);
+        if (living != known_.individuals.end()) remember_as_chosen(living->second.individual);
+        const RowRef row = keep_chosen(champion.individual);
+        update_champion_.run(row.individual, row.judged, champion.generation);
+    });
+}
+
 void ExperimentWriter::keep_picking(const PickingRecord& picking) {
     transact([&] {
         if (picking.tree.size() < known_.grids) {
@@ -128,14 +140,19 @@ void ExperimentWriter::keep_stars(const std::vector<JudgedIndividual>& stars) {
 // Creatures of the population keep their rows and scores; others get new ones.
 RowRef ExperimentWriter::keep_chosen(const IndividualPtr& individual) {
     const auto living = known_.individuals.find(individual->uid);
-    if (living != known_.individuals.end() && living->second.individual == individual) {
-        kept_.hold_score(individual);
-        chosen_.remember(individual, living->second.row, true);
-    }
+    if (living != known_.individuals.end() && living->second.individual == individual)
+        remember_as_chosen(individual);
     const RowRef row = chosen_.keep(individual, known_.outside_scores - 1);
     known_.outside_scores = std::min(known_.outside_scores, row.judged);
     chosen_.hold_score(individual);
     return row;
+}
+
+// The creature must be of the population, with the same scores.
+void ExperimentWriter::remember_as_chosen(const IndividualPtr& individual) {
+    kept_.hold_score(individual);
+    chosen_.remember(individual, kept_.row_of(*individual), true);
+    chosen_.hold_score(individual);
 }
 
 void ExperimentWriter::insert_grid(const GridNode& grid) {

@@ -33,6 +33,7 @@ public:
     void begin(const SettingsPtr& settings, const std::vector<GenomePtr>& founders);
     void note(const NotedCommand& noted);
     void record(const Evolution& evolution);
+    void crown(const JudgedIndividual& champion);
     // Writes new grids and the number of the present one.
     void keep_picking(const PickingRecord& picking);
     void keep_stars(const std::vector<JudgedIndividual>& stars);
@@ -45,10 +46,11 @@ private:
         SettingsPtr settings;  // the settings written last
         std::int64_t settings_row = 0;
         std::vector<IndividualPtr> novel;
-        // Creatures that the user chose: in grids, on the shelf, with a star.
+        // Creatures that the user chose (in grids, on the shelf, with a star) and audited
+        // champions.
         KeptIndividuals::Knowledge chosen;
         std::size_t grids = 0;
-        // Generation numbers below 0, for scores from picking grids, count down from 0.
+        // Generation numbers below 0, for scores from picking grids and audits, count down from 0.
         std::int64_t outside_scores = 0;
         std::string simulator;  // version that computed the newest generation
     };
@@ -68,6 +70,7 @@ private:
     void insert_generation(const Evolution& evolution);
     void name_simulator(std::uint32_t generation);
     RowRef keep_chosen(const IndividualPtr& individual);
+    void remember_as_chosen(const IndividualPtr& individual);
     void insert_grid(const GridNode& grid);
     void replace_kept(const char* role, const std::vector<JudgedIndividual>& creatures);
     void set_fact(const char* name, const std::string& value);
@@ -86,6 +89,7 @@ private:
     Statement insert_novel_;
     Statement insert_generation_;
     Statement insert_births_;
+    Statement update_champion_;
     Statement insert_grid_;
     Statement insert_cell_;
     Statement clear_kept_;

@@ -58,6 +58,12 @@ Status KeptExperiment::record(const Evolution& evolution) {
     return file_->record(evolution);
 }
 
+Status KeptExperiment::crown(const JudgedIndividual& champion) {
+    const std::lock_guard guard(mutex_);
+    CAMBRIAN_ASSERT(file_ != nullptr, "only a recorded generation has a champion");
+    return file_->crown(champion);
+}
+
 Status KeptExperiment::use_autosave() {
     Result<std::shared_ptr<ExperimentFile>> file = nameless_file();
     if (!file) return file.error();

@@ -28,6 +28,7 @@ public:
     Status begin(const SettingsPtr& settings, const std::vector<GenomePtr>& founders) override;
     Status note(const NotedCommand& command) override;
     Status record(const Evolution& evolution) override;
+    Status crown(const JudgedIndividual& champion) override;
     // Whether the run got the autosave file, so that the run before is now in previous_run(). May
     // be called on any thread; never waits.
     bool took_autosave() const { return took_autosave_; }

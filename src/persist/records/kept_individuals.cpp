@@ -61,9 +61,9 @@ RowRef KeptIndividuals::keep(const IndividualPtr& individual, std::int64_t judge
 
 void KeptIndividuals::hold_score(const IndividualPtr& individual) {
     const auto found = known_.find(individual->uid);
-    if (found == known_.end() || found->second.individual != individual) return;
+    if (found == known_.end()) return;
     found->second.genotype_held = true;
-    found->second.score_held = true;
+    if (found->second.individual == individual) found->second.score_held = true;
 }
 
 void KeptIndividuals::hold_parents(const Individual& individual) {

@@ -45,7 +45,7 @@ public:
     // Writes birth, genotype and score unless the file has them. `judged` is the generation of a
     // new score.
     RowRef keep(const IndividualPtr& individual, std::int64_t judged);
-    // Protects its genotype and this score against deletion.
+    // Protects its genotype and, unless it has another one by now, this score against deletion.
     void hold_score(const IndividualPtr& individual);
     // Deletes genotypes and scores of all individuals that are neither in the population nor
     // protected. Parents and survivors lose only their scores.

@@ -85,6 +85,18 @@ void GenerationsController::follow_newest() {
     if (!same && (first || viewer_.shown_for() > kLeastStay)) show_champion(newest);
 }
 
+void GenerationsController::follow_audit() {
+    const Playback& playback = viewer_.playback();
+    if (playback.empty() || playback.exhibit().source != ExhibitSource::kChampion ||
+        playback.exhibit().experiment != experiment_.open().snapshot().experiment)
+        return;
+    const JudgedIndividual& shown = playback.exhibit().creature;
+    const JudgedIndividual* champion = champion_of(shown.generation);
+    if (champion != nullptr && champion->individual != shown.individual &&
+        champion->individual->genome == shown.individual->genome)
+        viewer_.rejudge(champion->individual);
+}
+
 void GenerationsController::keep_stars() {
     const unsigned run = experiment_.open().runs_begun();
     if (std::exchange(starred_run_, run) != run) replace_stars({});

@@ -27,6 +27,9 @@ public:
     void log_finished();
     // Displays the newest champion if the user chose to follow it.
     void follow_newest();
+    // Must be called once a frame: a displayed champion that was audited gets the scores of the
+    // audit.
+    void follow_audit();
     // Must be called once a frame; saves the stars in the experiment's file if they changed. A new
     // run has none.
     void keep_stars();

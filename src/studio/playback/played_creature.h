@@ -37,6 +37,8 @@ public:
         bout_.jump_to(replay_->trial().bout());
     }
 
+    // Replaces the scores of the displayed creature by those of an audit; the motion goes on.
+    void rejudge(IndividualPtr individual) { exhibit_.creature.individual = std::move(individual); }
     // Changes the environment from the next tick on.
     void set_environment(const Environment& environment);
     // Pulls a point of a part towards a point in the world until called with nothing. The motion

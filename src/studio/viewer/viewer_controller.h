@@ -28,6 +28,10 @@ public:
 
     // Displays another creature; reports the error if that is impossible.
     void show(Exhibit exhibit);
+    // Replaces the scores of the displayed creature by those of an audit.
+    void rejudge(IndividualPtr individual) {
+        viewer_.playback().creature().rejudge(std::move(individual));
+    }
     // Applies an environment that the user changed to the displayed creature at once.
     void use_environment(const Environment& environment);
     // Undo or redo an edit of the genes; return false if there is none.
