@@ -1,11 +1,13 @@
 #include "cluster/join_cluster.h"
 
 #include "cluster/connection/cluster_connection.h"
+#include "cluster/connection/credentials.h"
 #include "cluster/coordinator/cluster_backend.h"
 #include "cluster/messages/text_for_people.h"
 #include "cluster/units/unit_process.h"
 #include "core/hash.h"
 #include "core/random_id.h"
+#include "core/text/shell_word.h"
 #include "persist/text/digest_text.h"
 
 #include <fmt/core.h>
@@ -57,11 +59,23 @@ Status check_cluster(const ClusterAddress& address) {
     return queue ? Status() : Status(queue.error());
 }
 
-std::string plain_text_warning(const ClusterAddress& address) {
-    if (address.encrypted || address.on_this_machine) return "";
-    return fmt::format(
-        "genomes and results travel to {} readable and unsigned; tls:// protects them",
-        address.servers.front());
+std::vector<std::string> openness_warnings(const ClusterAddress& address) {
+    std::vector<std::string> warnings;
+    const std::string& file = address.credentials;
+    if (!address.encrypted && !address.on_this_machine) {
+        warnings.push_back(fmt::format(
+            "genomes and results travel to {} readable and unsigned; tls:// protects them",
+            address.servers.front()));
+        const auto credentials = file.empty() ? Result(Credentials()) : read_credentials(file);
+        if (credentials && !credentials->password.empty())
+            warnings.push_back(
+                fmt::format("so does the password of {}; everybody on the way can use it", file));
+    }
+    if (!file.empty() && others_can_read(file))
+        warnings.push_back(
+            fmt::format("{}: other users of this machine can read it; chmod 600 {} ends this", file,
+                        shell_word(file)));
+    return warnings;
 }
 
 }  // namespace cambrian

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace cambrian {
 
@@ -29,9 +30,9 @@ Result<std::unique_ptr<EvaluationBackend>> join_cluster(const EvolutionKinds& ki
 // Checks whether join_cluster() would fail now.
 Status check_cluster(const ClusterAddress& address);
 
-// Returns a warning that others can read the messages; empty for a connection that is encrypted or
-// stays on this machine.
-std::string plain_text_warning(const ClusterAddress& address);
+// Returns what is open to others: messages and a password on a connection that is neither encrypted
+// nor stays on this machine, and a file of credentials that other users can read.
+std::vector<std::string> openness_warnings(const ClusterAddress& address);
 
 // Returns the displayed name of this machine.
 std::string machine_name();

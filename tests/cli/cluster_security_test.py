@@ -1,21 +1,36 @@
 """Permissions on a cluster's server with the installed configuration, and encryption."""
 
+import base64
+import json
+import os
 import re
 import socket
 import subprocess
+import time
 import unittest
 
 import nats_tokens
 from cluster_program import ClusterTest
 from nats_server import HOST
 from network_cut import CuttableNetwork
-from program import ROOT
+from program import CAMBRIAN, ROOT
 
 SAMPLE = ROOT / "assets/nats.conf"
 
 WORKER = ("worker", "worker-password")
+WORKER_TWO = ("worker-two", "worker-two-password")
 COORDINATOR = ("coordinator", "coordinator-password")
 RUN = "%016x" % 5
+
+# A generation takes about two seconds on a core, so that attackers can answer in time.
+ENDLESS = """
+[run]
+generations = 100000
+[population]
+size = 300
+[trial]
+duration = 30
+"""
 
 # Actions that are forbidden to the roles; each one is tried below.
 FORBIDDEN_TO_WORKERS = [
@@ -31,16 +46,21 @@ FORBIDDEN_TO_WORKERS = [
     ("publish", "$JS.API.CONSUMER.CREATE.cambrian-RESULT"),
     ("publish", "$JS.API.CONSUMER.DELETE.cambrian-WORK.workers"),
     ("publish", "_INBOX.cambrian.coordinator.x"),          # answer for the server
+    ("publish", f"cambrian.result.{RUN}.1.1"),             # send results without a name
+    ("publish", f"cambrian.result.{RUN}.1.1.worker-two"),  # send them for another worker
+    ("publish", f"cambrian.hello.worker.worker-two.{RUN}"),
     ("publish", "elsewhere"),
     ("subscribe", "_INBOX.>"),                             # read answers to others
+    ("subscribe", "_INBOX.cambrian.worker.>"),
+    ("subscribe", "_INBOX.cambrian.worker.worker-two.>"),
     ("subscribe", "_INBOX.cambrian.coordinator.>"),
     ("subscribe", "cambrian.work.>"),
     ("subscribe", "cambrian.result.>"),
     ("subscribe", ">"),
 ]
 FORBIDDEN_TO_COORDINATORS = [
-    ("publish", f"cambrian.result.{RUN}.1.1"),             # pretend to be a worker
-    ("publish", f"cambrian.hello.worker.{RUN}"),
+    ("publish", f"cambrian.result.{RUN}.1.1.worker"),      # pretend to be a worker
+    ("publish", f"cambrian.hello.worker.worker.{RUN}"),
     ("publish", "$JS.ACK.cambrian-WORK.workers.1.1.1.1.1"),
     ("publish", "$JS.API.STREAM.DELETE.cambrian-WORK"),
     ("publish", "$JS.API.STREAM.CREATE.other"),
@@ -62,7 +82,7 @@ def sample_permissions():
 
 class SecurityTest(ClusterTest):
     def credentials(self, name, who):
-        self.write(name, f'user = "{who[0]}"\npassword = "{who[1]}"\n')
+        self.write(name, f'user = "{who[0]}"\npassword = "{who[1]}"\n').chmod(0o600)
         return "--credentials", name
 
 
@@ -76,7 +96,8 @@ class Roles(SecurityTest):
         server = self.start_server(sample_permissions())
         worker = self.credentials("worker.credentials", WORKER)
         coordinator = self.credentials("me.credentials", COORDINATOR)
-        workers = [self.start_worker(server.url, "worker", *worker) for _ in range(2)]
+        second = self.credentials("two.credentials", WORKER_TWO)
+        workers = [self.start_worker(server.url, "worker", *each) for each in (worker, second)]
         self.evolve_until(lambda sums: sums["units"] > 12, server.url, *coordinator, least=2)
         self.assertEqual(len(self.wait_for_workers(server.url, 2, *coordinator)), 2)
         for process in workers:
@@ -124,6 +145,157 @@ class Roles(SecurityTest):
         self.assert_refused(result, "does not permit", "cambrian.hello.>")
         result = self.run_program("worker", server.url, *coordinator)
         self.assert_refused(result, "does not permit")
+
+
+class Attacker:
+    """A client with a worker's password that takes units and may answer anything."""
+
+    INBOX = "_INBOX.cambrian.worker.worker-two.attacker"
+
+    def __init__(self, server):
+        self.client = server.client(user=WORKER_TWO[0], password=WORKER_TWO[1])
+        self.client.subscribe(self.INBOX + ".unit")
+        self.settings = {}
+
+    def greet(self, proof_of, ids):
+        for each in ids:
+            hello = proof_of | {"role": "worker", "id": f"fnv1a64:{each:016x}", "name": "attacker",
+                                "refusals": [], "trials": []}
+            self.client.publish(f"cambrian.hello.worker.worker-two.{each:016x}",
+                                json.dumps(hello).encode())
+
+    def take_unit(self):
+        """Returns run, generation and number of the next unit and its body; None without one."""
+        self.client.publish("$JS.API.CONSUMER.MSG.NEXT.cambrian-WORK.workers",
+                            b'{"batch": 1, "expires": 300000000}', self.INBOX + ".unit")
+        end = time.monotonic() + 0.4
+        while time.monotonic() < end:
+            for subject, body in self.client.flush()[1]:
+                found = re.match(r"cambrian\.work\.([0-9a-f]{16}\.\d+\.\d+)$", subject)
+                if found:
+                    self.client.publish(self.client.replies[-1], b"+ACK")
+                    return found[1], body.split(b"\r\n\r\n", 1)[1]
+            time.sleep(0.01)
+        return None
+
+    def true_result(self, body):
+        key = json.loads(body.split(b"\n", 1)[0])["settings"].split(":")[1]
+        if key not in self.settings:
+            answer = self.client.request(
+                "$JS.API.STREAM.MSG.GET.KV_cambrian-settings",
+                json.dumps({"last_by_subj": f"$KV.cambrian-settings.{key}"}).encode(),
+                inbox=self.INBOX + ".settings")
+            self.settings[key] = base64.b64decode(answer["message"]["data"])
+        settings = self.settings[key]
+        question = json.dumps({"format": "cambrian-question", "version": 1,
+                               "settingsBytes": len(settings)}).encode() + b"\n" + settings + body
+        done = subprocess.run([CAMBRIAN, "worker", "--unit"], input=question, capture_output=True,
+                              check=True)
+        return json.loads(done.stdout)
+
+    def send(self, unit, result, worker):
+        text = json.dumps(result | {"worker": f"fnv1a64:{worker:016x}", "deliveries": 1}).encode()
+        self.client.publish(f"cambrian.result.{unit}.worker-two", text)
+
+
+class Attacks(SecurityTest):
+    """What one worker's password can do to a run of somebody else."""
+
+    def start_run(self, server):
+        options = self.credentials("me.credentials", COORDINATOR)
+        with open(self.folder / "run.json", "wb") as lines:
+            run = self.evolve("run", "--cluster", server.url, *options, settings=ENDLESS,
+                              stdout=lines)
+        client = server.client(user=COORDINATOR[0], password=COORDINATOR[1])
+        client.subscribe("cambrian.hello.coordinator.*")
+        [(_, text), *_] = self.listen(client, lambda: client.messages, 1)
+        return run, json.loads(text)
+
+    def test_two_invented_workers_of_one_password_neither_end_a_run_nor_change_it(self):
+        server = self.start_server(sample_permissions())
+        run, hello = self.start_run(server)
+        attacker = Attacker(server)
+        end = time.monotonic() + 120
+        told = "several workers with the login worker-two differed"
+        while told not in run.log.read_text() and time.monotonic() < end:
+            attacker.greet(hello, (0xdead1, 0xdead2))
+            taken = attacker.take_unit()
+            if not taken:
+                continue
+            result = attacker.true_result(taken[1])
+            for each in result["results"]:
+                each["fitness"] = 0.001
+            for worker in (0xdead1, 0xdead2):
+                attacker.send(taken[0], result, worker)
+        attacker.client.close()
+        self.assertIn(told, run.log.read_text())
+        self.assertIsNone(run.poll())
+        self.end_and_compare(run, "run", ENDLESS, 2)
+
+    def test_results_without_a_greeting_do_not_count(self):
+        server = self.start_server(sample_permissions())
+        run, hello = self.start_run(server)
+        run_id = hello["id"].split(":")[1]
+        client = server.client(user=WORKER[0], password=WORKER[1])
+        result = {"format": "cambrian-result", "version": 1, "worker": f"fnv1a64:{7:016x}",
+                  "deliveries": 1, "seconds": 0, "results": []}
+        for generation in range(1, 200):
+            for _ in range(10):
+                client.publish(f"cambrian.result.{run_id}.{generation}.0.worker",
+                               json.dumps(result).encode())
+        client.flush()
+        client.close()
+        self.wait_for_message(run, "results of workers that have not announced themselves")
+        self.end_and_compare(run, "run", ENDLESS, 2)
+        lines = [line for line in run.log.read_text().splitlines() if "result" in line]
+        self.assertLessEqual(len(lines), 5, lines)
+
+    def test_a_thousand_invented_workers_are_a_few_lines(self):
+        server = self.start_server(sample_permissions())
+        run, hello = self.start_run(server)
+        hello |= {"role": "worker", "refusals": [], "trials": [], "simulator": "0.1"}
+        client = server.client(user=WORKER[0], password=WORKER[1])
+        for number in range(1_000):
+            hello |= {"id": f"fnv1a64:{number:016x}", "name": f"no {number}"}
+            client.publish(f"cambrian.hello.worker.worker.{number:016x}",
+                           json.dumps(hello).encode())
+        client.flush()
+        client.close()
+        self.wait_for_message(run, "workers are refused so far")
+        self.end_and_compare(run, "run", ENDLESS, 2)
+        lines = run.log.read_text().splitlines()
+        self.assertLessEqual(len([line for line in lines if "refused" in line]), 8, lines)
+
+
+class Openness(SecurityTest):
+    """What of a login is open to others is said once, by every command."""
+
+    def warnings_of(self, url, *options):
+        self.write("settings.toml", "[run]\ngenerations = 1\n[population]\nsize = 6\n")
+        run = self.run_well("evolve", "settings.toml", "--cluster", url, *options, "--out",
+                            "/dev/null")
+        worker = self.start_worker(url, "worker", *options)
+        self.wait_for_message(worker, "connected")
+        return [run.stderr, worker.log.read_text(),
+                self.run_well("cluster", url, *options).stderr]
+
+    def test_credentials_that_others_can_read_are_told_of(self):
+        server = self.start_server()
+        options = self.credentials("my own.credentials", WORKER)
+        words = "other users of this machine can read it; chmod 600 'my own.credentials' ends this"
+        for messages in self.warnings_of(server.url, *options):
+            self.assertNotIn("other users", messages)
+        (self.folder / "my own.credentials").chmod(0o640)
+        for messages in self.warnings_of(server.url, *options):
+            self.assertEqual(messages.count(words), 1, messages)
+
+    def test_a_password_on_an_open_connection_is_told_of(self):
+        server = self.start_server("host: 0.0.0.0\n")
+        url = f"nats://{socket.gethostname()}:{server.port}"  # a name, which may lead anywhere
+        options = self.credentials("me.credentials", WORKER)
+        for messages in self.warnings_of(url, *options):
+            self.assertIn("readable and unsigned", messages)
+            self.assertIn("so does the password of me.credentials", messages)
 
 
 class RefusingNetwork(CuttableNetwork):
@@ -252,6 +424,11 @@ class Encryption(SecurityTest):
         server = self.start_server()
         self.make_authority()
         self.assert_nobody_connects(server.tls_url, "has no encryption",
+                                    options=["--ca", "ca.pem"])
+
+    def test_an_authority_that_is_a_pipe_is_refused_at_once(self):
+        os.mkfifo(self.folder / "ca.pem")
+        self.assert_nobody_connects(f"tls://{HOST}:4222", "ca.pem is not a regular file",
                                     options=["--ca", "ca.pem"])
 
     def test_an_authority_that_is_no_certificate_is_refused(self):

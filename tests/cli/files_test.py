@@ -127,6 +127,12 @@ class Files(ProgramTest):
                                 f"expected a name that ends in {endings}\n")
             self.assertEqual(self.contents(), before, arguments)
 
+    def test_a_folder_is_not_named_like_a_file_by_mistake(self):
+        for name in ["a.toml", "report.md", "run.cambrian"]:
+            self.assert_refused(self.run_program("compare", "small.toml", "--out", name),
+                                f"cannot write {name}: it will be a folder; {name}/ makes one")
+        self.assertEqual(self.files(), ["small.toml"])
+
     def test_nothing_but_an_experiment_is_written_as_one(self):
         self.evolve("-o", "run.cambrian")
         before = self.contents()

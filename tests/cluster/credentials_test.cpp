@@ -22,6 +22,8 @@ TEST_CASE("a user and a password are read") {
     REQUIRE(credentials);
     CHECK(credentials->user == "worker");
     CHECK(credentials->password == "s3cret");
+    CHECK(credentials->login == "worker");
+    CHECK(read("user = \"lab.two >\"\npassword = \"s\"\n")->login == "lab_two__");
 }
 
 TEST_CASE("a file of NATS's tools is left to the connection") {
@@ -30,6 +32,11 @@ TEST_CASE("a file of NATS's tools is left to the connection") {
         "-----BEGIN USER NKEY SEED-----\nSUAB\n------END USER NKEY SEED------\n");
     REQUIRE(credentials);
     CHECK(credentials->user.empty());
+    CHECK(credentials->login == "token");
+    // {"sub": "UABC"}
+    CHECK(read("-----BEGIN NATS USER JWT-----\neyJ0.eyJzdWIiOiAiVUFCQyJ9.c2ln\n"
+               "------END NATS USER JWT------\n-----BEGIN USER NKEY SEED-----\nSUAB\n")
+              ->login == "UABC");
 }
 
 TEST_CASE("what are no credentials is refused without quoting them") {

@@ -112,15 +112,13 @@ Digests local_digests(const ExperimentSettings& settings) {
 
 struct DrillWorker::Outcome {
     std::mutex mutex;
-    std::atomic<bool> ended = false;
-    std::string end;
     std::vector<std::string> said;
 };
 
 DrillWorker::DrillWorker(MemoryServer& server, std::uint64_t id, WorkerHabits habits)
     : outcome_(std::make_shared<Outcome>()) {
-    std::shared_ptr<WorkerQueue> queue =
-        std::make_shared<MortalQueue>(server.worker(), dead_, cut_off_, std::move(habits));
+    std::shared_ptr<WorkerQueue> queue = std::make_shared<MortalQueue>(
+        server.worker(habits.login), dead_, cut_off_, std::move(habits));
     thread_ = std::jthread([queue, id, outcome = outcome_](const std::stop_token& stop) {
         WorkerOptions options;
         options.id = id;
@@ -130,10 +128,7 @@ DrillWorker::DrillWorker(MemoryServer& server, std::uint64_t id, WorkerHabits ha
             const std::lock_guard lock(outcome->mutex);
             outcome->said.emplace_back(line);
         };
-        const Status status = work_for_cluster(kinds(), *queue, options, stop);
-        const std::lock_guard lock(outcome->mutex);
-        if (!status) outcome->end = status.error().message;
-        outcome->ended = true;
+        work_for_cluster(kinds(), *queue, options, stop);
     });
 }
 
@@ -142,15 +137,6 @@ DrillWorker::~DrillWorker() = default;
 void DrillWorker::kill() {
     *dead_ = true;
     thread_.request_stop();
-}
-
-std::string DrillWorker::end() {
-    for (int tried = 0; tried < 2'000 && !outcome_->ended; ++tried)
-        std::this_thread::sleep_for(milliseconds(10));
-    thread_.request_stop();
-    if (thread_.joinable()) thread_.join();
-    const std::lock_guard lock(outcome_->mutex);
-    return outcome_->end;
 }
 
 std::vector<std::string> DrillWorker::said() const {

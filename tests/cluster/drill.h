@@ -36,6 +36,7 @@ struct WorkerHabits {
     // Called before a result is published.
     std::function<void(UnitMessage&)> changes;
     std::chrono::milliseconds slow{0};  // delay per unit
+    std::string login = "lab";
 };
 
 class DrillWorker {
@@ -48,9 +49,6 @@ public:
     bool dead() const { return *dead_; }
     // Blocks the worker's messages, or lets them pass again.
     void cut_off(bool off) { *cut_off_ = off; }
-    // Waits for the worker's end, for at most 20 s. Returns why a coordinator refused it, or an
-    // empty text.
-    std::string end();
     std::vector<std::string> said() const;
 
 private:

@@ -54,6 +54,25 @@ struct Cluster {
     std::vector<std::unique_ptr<DrillWorker>> workers;
 };
 
+// Gives every result of a unit another bit.
+void spoil(UnitMessage& message) {
+    UnitResult unit = *parse_unit_result(message.body);
+    for (SlotResult& each : unit.results)
+        each.result.digest ^= 1U;
+    message.body = write_unit_result(unit);
+}
+
+// Waits for a line of a worker, for at most 20 s.
+bool comes_to_say(const DrillWorker& worker, const std::string& words) {
+    for (int tried = 0; tried < 2'000; ++tried) {
+        for (const std::string& line : worker.said()) {
+            if (line.find(words) != std::string::npos) return true;
+        }
+        std::this_thread::sleep_for(milliseconds(10));
+    }
+    return false;
+}
+
 }  // namespace
 
 TEST_CASE("any number of workers gives the bits of one machine", "[cluster][threads]") {
@@ -220,22 +239,80 @@ TEST_CASE("a worker that flips a bit of a result is refused", "[cluster][threads
     CHECK(cluster.run(watch) == expected());
     watch(drill_settings().generations);
     CHECK(refused_at >= 0);
-    CHECK(faulty.end().find("refuses this worker: a result differed") != std::string::npos);
+    CHECK(comes_to_say(faulty, "refuses this worker: a result differed"));
 }
 
-TEST_CASE("two workers that differ end the run and say why", "[cluster][threads]") {
+TEST_CASE("two workers that differ end the run if they have two logins", "[cluster][threads]") {
     Cluster cluster(0);
-    const auto flip = [](UnitMessage& message) {
+    const std::string other = GENERATE("lab", "other");
+    cluster.add_worker({.dies_of = {}, .changes = spoil});
+    cluster.add_worker({.dies_of = {}, .changes = spoil, .login = other});
+    REQUIRE(wait_for_workers(*cluster.backend, 2));
+    const Digests digests = cluster.run();
+    const BackendStatus status = cluster.backend->status();
+    if (other == "lab") {
+        // One login may invent any number of workers.
+        CHECK(digests == expected());
+        CHECK(status.failure.empty());
+        CHECK(status.trouble.find("workers with the login lab differed") != std::string::npos);
+    } else {
+        CHECK(digests.size() < expected().size());
+        CHECK(status.failure.find("two workers") != std::string::npos);
+    }
+}
+
+TEST_CASE("results under invented ids count for nothing", "[cluster][threads]") {
+    std::uint64_t invented = 0xdead'0000;
+    Cluster cluster(1);
+    const auto invent = [&](UnitMessage& message) {
+        spoil(message);
         UnitResult unit = *parse_unit_result(message.body);
-        for (SlotResult& each : unit.results)
-            each.result.digest ^= 1U;
+        unit.worker = ++invented;
         message.body = write_unit_result(unit);
     };
-    cluster.add_worker({.dies_of = {}, .changes = flip});
-    cluster.add_worker({.dies_of = {}, .changes = flip});
+    cluster.add_worker({.dies_of = {}, .changes = invent});
     REQUIRE(wait_for_workers(*cluster.backend, 2));
-    CHECK(cluster.run().size() < expected().size());
-    CHECK(cluster.backend->status().failure.find("two workers") != std::string::npos);
+    CHECK(cluster.run() == expected());
+    CHECK(cluster.counts().unknown > 0);
+    CHECK(cluster.counts().refused == 0);
+    CHECK(cluster.backend->status().failure.empty());
+}
+
+TEST_CASE("nobody speaks for a worker of another login", "[cluster][threads]") {
+    Cluster cluster(1);
+    const auto pretend = [&](UnitMessage& message) {
+        spoil(message);
+        UnitResult unit = *parse_unit_result(message.body);
+        unit.worker = 100;  // the first worker
+        message.body = write_unit_result(unit);
+    };
+    cluster.add_worker({.dies_of = {}, .changes = pretend, .login = "other"});
+    REQUIRE(wait_for_workers(*cluster.backend, 2));
+    const auto say_goodbye = [&](int) {
+        Hello bye = introduction(Hello::Role::kWorker, 100, "", 1, proof_of(proof_trials(kinds())));
+        bye.leaving = true;
+        cluster.server.inject_hello(hello_text(bye), "other");
+    };
+    CHECK(cluster.run(say_goodbye) == expected());
+    CHECK(cluster.counts().unknown > 0);
+    for (const WorkerStatus& worker : cluster.backend->status().workers)
+        CHECK(worker.refusal.empty());
+    CHECK(cluster.backend->status().workers.size() == 3);
+}
+
+TEST_CASE("a forged greeting of a coordinator ends no worker", "[cluster][threads]") {
+    Cluster cluster(1);
+    const auto forge = [&](int generation) {
+        Hello hello = introduction(Hello::Role::kCoordinator, 0xbad, "forged", 1, 0);
+        hello.refusals = {{100, "because"}};
+        cluster.server.inject_hello(hello_text(hello));
+        if (generation == 6) CHECK(comes_to_say(*cluster.workers.front(), "because"));
+    };
+    CHECK(cluster.run(forge) == expected());
+    REQUIRE(wait_for_workers(*cluster.backend, 1));
+    const std::uint64_t units = cluster.counts().units;
+    CHECK(cluster.run() == expected());
+    CHECK(cluster.counts().units > units);
 }
 
 TEST_CASE("a genome that crashes workers is found and saved", "[cluster][threads]") {
@@ -359,8 +436,8 @@ TEST_CASE("a worker gives back units of another version", "[cluster][threads]") 
     REQUIRE(queue->publish({{9, 1, 0}, writer.write(terms, requests)}) == Publishing::kAccepted);
     std::string refused;
     for (int tried = 0; tried < 100 && refused.empty(); ++tried) {
-        for (const std::string& text : queue->poll(milliseconds(50)).hellos)
-            refused = parse_hello(text)->refused;
+        for (const HeardHello& heard : queue->poll(milliseconds(50)).hellos)
+            refused = parse_hello(heard.text)->refused;
     }
     CHECK(refused == "wants simulator 0.9, this is " + std::string(kSimulatorVersion));
     CHECK(server.stored_units() == 1);

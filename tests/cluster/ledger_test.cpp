@@ -166,6 +166,50 @@ TEST_CASE("the first answer counts and later ones are compared with it", "[clust
     CHECK_FALSE(answers.all_settled());
 }
 
+TEST_CASE("a worker answers once for a creature", "[cluster]") {
+    Answers answers(2);
+    CHECK(answers.hears(0, 1));
+    answers.claim(0, 1, with_fitness(1.0), false);
+    CHECK_FALSE(answers.hears(0, 1));
+    CHECK(answers.hears(0, 2));
+    CHECK(answers.hears(1, 1));
+    answers.compute(0, with_fitness(1.0));
+    CHECK_FALSE(answers.hears(0, 1));
+}
+
+TEST_CASE("copies of a true result buy no checks", "[cluster]") {
+    Batch::Memory memory{.trust = Trust(1)};
+    constexpr std::size_t kCreatures = 17;
+    std::vector<EvaluationRequest> requests(kCreatures);
+    for (EvaluationRequest& request : requests)
+        request.genome = std::make_shared<const Genome>();
+    Batch batch(requests, 1, memory);
+    const Cores cores{.own = 1, .remote = 99};
+    const auto answer = [&](std::uint32_t slot, double fitness) {
+        UnitResult unit;
+        unit.worker = 7;
+        unit.results = {{slot, genome_hash(*requests[slot].genome), with_fitness(fitness)}};
+        return batch.take_result(0, unit, 0.0, cores);
+    };
+    for (int copy = 0; copy < 3'000; ++copy) {
+        const auto taken = answer(0, 1.0);
+        REQUIRE(taken);
+        CHECK(taken->creatures == (copy == 0 ? 1U : 0U));
+    }
+    CHECK(memory.counts.duplicates == 2'999);
+    // The next fifteen are checked as ever.
+    for (std::uint32_t slot = 1; slot < 16; ++slot)
+        answer(slot, 0.5);
+    CHECK(batch.settled() == 0);
+    answer(16, 0.5);
+    std::size_t checks = 0;
+    while (const auto task = batch.next_home_task(0.0, cores)) {
+        if (task->late) break;
+        checks += task->creatures.size();
+    }
+    CHECK(checks >= 16);
+}
+
 TEST_CASE("answers that only a refused worker gave are revoked", "[cluster]") {
     Answers answers(4);
     answers.claim(0, 1, with_fitness(1.0), false);
@@ -302,19 +346,19 @@ Hello hello_of(std::uint64_t id, int cores) {
 TEST_CASE("only workers that are heard and compute the same bits count", "[cluster]") {
     Trust trust(1);
     WorkerRoll roll({"1.2", 5}, "here", 2);
-    roll.hear(hello_of(1, 8), 100.0, trust);
-    roll.hear(hello_of(2, 4), 103.0, trust);
+    roll.hear(hello_of(1, 8), "lab", 100.0, trust);
+    roll.hear(hello_of(2, 4), "lab", 103.0, trust);
     Hello newer = hello_of(3, 16);
     newer.simulator = "1.3";
-    roll.hear(newer, 103.0, trust);
+    roll.hear(newer, "lab", 103.0, trust);
     Hello odd = hello_of(4, 16);
     odd.proof = 6;
-    roll.hear(odd, 103.0, trust);
+    roll.hear(odd, "lab", 103.0, trust);
     CHECK(roll.cores(104.0, trust) == 12);
     CHECK(roll.cores(106.5, trust) == 4);
     // After a late unit, workers that have been silent since then are in doubt until they send a
     // message.
-    roll.hear(hello_of(1, 8), 106.6, trust);
+    roll.hear(hello_of(1, 8), "lab", 106.6, trust);
     roll.doubt_silent(106.5);
     CHECK(roll.cores(106.7, trust) == 8);
     roll.worked(2, 10, 1'000, 106.8);
@@ -338,14 +382,39 @@ TEST_CASE("only workers that are heard and compute the same bits count", "[clust
           WorkerState::kAway);
     CHECK(roll.rows(113.0, trust, {.own_busy = false, .reachable = true})[1].state ==
           WorkerState::kAway);
-    roll.hear(bye, 107.0, trust);
+    roll.hear(bye, "lab", 107.0, trust);
     CHECK(roll.cores(107.0, trust) == 0);
     CHECK(roll.rows(107.0, trust, {}).size() == 4);
     // The user still sees why a refused worker has left.
     bye.id = 2;
-    roll.hear(bye, 107.0, trust);
+    roll.hear(bye, "lab", 107.0, trust);
     CHECK(roll.rows(107.0, trust, {})[1].refusal == "a result differed");
     CHECK(roll.cores(107.0, trust) == 0);
+}
+
+TEST_CASE("an id belongs to the login that announced it first", "[cluster]") {
+    const Trust trust(1);
+    WorkerRoll roll({"1.2", 5}, "here", 2);
+    CHECK_FALSE(roll.counts(1, "lab"));
+    roll.hear(hello_of(1, 8), "lab", 100.0, trust);
+    CHECK(roll.counts(1, "lab"));
+    CHECK_FALSE(roll.counts(1, "other"));
+    Hello bye = hello_of(1, 99);
+    roll.hear(bye, "other", 100.0, trust);
+    CHECK(roll.cores(100.0, trust) == 8);
+    bye.leaving = true;
+    roll.hear(bye, "other", 100.0, trust);
+    CHECK(roll.counts(1, "lab"));
+    Hello odd = hello_of(2, 8);
+    odd.proof = 6;
+    roll.hear(odd, "lab", 100.0, trust);
+    CHECK_FALSE(roll.counts(2, "lab"));
+    // One login cannot fill the roll.
+    for (std::uint64_t id = 10; id < 5'000; ++id)
+        roll.hear(hello_of(id, 1), "other", 100.0, trust);
+    roll.hear(hello_of(3, 8), "lab", 100.0, trust);
+    CHECK(roll.counts(3, "lab"));
+    CHECK(roll.rows(100.0, trust, {}).size() < 2'100);
 }
 
 TEST_CASE("presence keeps its fields, and is cut to what may be shown", "[cluster]") {

@@ -177,7 +177,8 @@ private:
 
 class MemoryWorkerQueue final : public WorkerQueue {
 public:
-    explicit MemoryWorkerQueue(std::shared_ptr<State> state) : state_(std::move(state)) {
+    MemoryWorkerQueue(std::shared_ptr<State> state, std::string login)
+        : state_(std::move(state)), login_(std::move(login)) {
         const std::lock_guard lock(state_->mutex);
         number_ = static_cast<int>(state_->next_ticket++);
         state_->worker_news[number_];
@@ -225,6 +226,7 @@ public:
         if (!state_->running) return false;
         if (state_->chance(state_->faults.lost_result)) return true;
         UnitMessage message = result;
+        message.login = login_;
         if (state_->change_result) state_->change_result(message.body);
         const int copies = state_->chance(state_->faults.repeated_result) ? 2 : 1;
         for (int copy = 0; copy < copies; ++copy)
@@ -245,7 +247,7 @@ public:
     void say_hello(std::string_view, std::string_view text) override {
         const std::lock_guard lock(state_->mutex);
         if (!state_->running) return;
-        state_->coordinator_news.hellos.emplace_back(text);
+        state_->coordinator_news.hellos.push_back({std::string(text), login_});
         state_->changed.notify_all();
     }
 
@@ -267,6 +269,7 @@ private:
     }
 
     std::shared_ptr<State> state_;
+    const std::string login_;
     int number_ = 0;
 };
 
@@ -279,8 +282,8 @@ std::unique_ptr<CoordinatorQueue> MemoryServer::coordinator() {
     return std::make_unique<MemoryCoordinatorQueue>(state_);
 }
 
-std::unique_ptr<WorkerQueue> MemoryServer::worker() {
-    return std::make_unique<MemoryWorkerQueue>(state_);
+std::unique_ptr<WorkerQueue> MemoryServer::worker(std::string login) {
+    return std::make_unique<MemoryWorkerQueue>(state_, std::move(login));
 }
 
 void MemoryServer::set_running(bool running) {
@@ -305,9 +308,9 @@ void MemoryServer::inject_result(const UnitMessage& result) {
     state_->store_result(result);
 }
 
-void MemoryServer::inject_hello(const std::string& text) {
+void MemoryServer::inject_hello(const std::string& text, const std::string& login) {
     const std::lock_guard lock(state_->mutex);
-    state_->coordinator_news.hellos.push_back(text);
+    state_->coordinator_news.hellos.push_back({text, login});
     for (auto& [worker, news] : state_->worker_news)
         news.hellos.push_back(text);
     state_->changed.notify_all();

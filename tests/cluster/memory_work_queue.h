@@ -33,17 +33,17 @@ public:
     ~MemoryServer();
 
     std::unique_ptr<CoordinatorQueue> coordinator();
-    std::unique_ptr<WorkerQueue> worker();
+    std::unique_ptr<WorkerQueue> worker(std::string login);
 
     // While the server is down, nobody is connected; stored messages remain.
     void set_running(bool running);
     // Changes the results of workers on their way.
     void change_results(std::function<void(std::string& body)> change);
 
-    // Adds messages without a sender.
+    // Adds messages without a sender; the login of a result is the message's.
     void inject_unit(const UnitMessage& unit);
     void inject_result(const UnitMessage& result);
-    void inject_hello(const std::string& text);
+    void inject_hello(const std::string& text, const std::string& login = "stranger");
 
     std::size_t stored_units() const;
     std::size_t deliveries() const;  // number of deliveries so far

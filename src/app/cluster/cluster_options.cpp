@@ -51,11 +51,16 @@ void add_login_files(CommandFiles& files, const ClusterLogin& login) {
     files.reads(login.credentials).reads(login.authority);
 }
 
+void say_of_openness(const ClusterAddress& address) {
+    for (const std::string& warning : openness_warnings(address))
+        say(warning);
+}
+
 Result<ClusterAddress> usable_cluster(const ClusterLogin& login) {
     Result<ClusterAddress> address = cluster_address(login);
     if (!address) return address;
     if (const Status usable = check_cluster(*address); !usable) return usable.error();
-    if (const std::string warning = plain_text_warning(*address); !warning.empty()) say(warning);
+    say_of_openness(*address);
     return address;
 }
 

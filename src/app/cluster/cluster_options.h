@@ -19,7 +19,10 @@ void add_cluster_choice(CLI::App& app, ClusterLogin& login);
 // Adds the login's files to the files that the command reads.
 void add_login_files(CommandFiles& files, const ClusterLogin& login);
 
-// Returns the address if this build can use it. Warns if others can read the connection.
+// Prints what of the connection and its credentials is open to others.
+void say_of_openness(const ClusterAddress& address);
+
+// Returns the address if this build can use it. Says what is open to others.
 Result<ClusterAddress> usable_cluster(const ClusterLogin& login);
 
 }  // namespace cambrian

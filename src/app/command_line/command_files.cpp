@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <sys/stat.h>
 #include <system_error>
@@ -65,6 +66,17 @@ Status check_log(const fs::path& path) {
     if (::access(path.c_str(), W_OK) == 0) return {};
     if (errno != ENOENT) return write_outcome(path, errno);
     return check_writable(path);
+}
+
+Status check_folder_name(const fs::path& path) {
+    constexpr std::array<std::string_view, 8> kEndings = {".cambrian", ".json", ".toml", ".csv",
+                                                          ".png",      ".mp4",  ".gif",  ".md"};
+    std::error_code unknown;
+    const std::string ending = path.extension().string();
+    const bool like_file = std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+    if (!like_file || fs::is_directory(path, unknown)) return {};
+    return cannot_write(
+        path, fmt::format("it will be a folder; {}/ makes one of that name", path.string()));
 }
 
 // Fails if another process of this program is writing the file.
@@ -132,6 +144,11 @@ CommandFiles& CommandFiles::appends(const std::string& path) {
     return *this;
 }
 
+CommandFiles& CommandFiles::fills(const std::string& folder) {
+    if (!folder.empty()) folders_.emplace_back(folder);
+    return *this;
+}
+
 CommandFiles& CommandFiles::keeps(const std::string& path) {
     add(experiments_, path);
     return *this;
@@ -186,6 +203,9 @@ Status CommandFiles::check() const {
     }
     for (const fs::path& output : outputs_) {
         if (Status writable = check_writable(output); !writable) return writable;
+    }
+    for (const fs::path& folder : folders_) {
+        if (Status fits = check_folder_name(folder); !fits) return fits;
     }
     for (const Named& output : named_) {
         if (Status fits = check_ending(output.path, output.form); !fits) return fits;

@@ -43,6 +43,8 @@ public:
     // A file to which the command appends.
     CommandFiles& appends(const std::string& path);
     CommandFiles& appends(const std::string& path, const OutputForm& form);
+    // A folder that the command makes unless it is there; its name must not look like a file's.
+    CommandFiles& fills(const std::string& folder);
     // An experiment file that the command creates.
     CommandFiles& keeps(const std::string& path);
 
@@ -65,6 +67,7 @@ private:
         std::filesystem::path path;
         OutputForm form;
     };
+    std::vector<std::filesystem::path> folders_;
     std::vector<Named> named_;  // those of the outputs and logs whose names must fit
 };
 

@@ -105,6 +105,7 @@ ExitStatus ClusterSubcommand::run(const EvolutionKinds& /*kinds*/) {
     if (!address) return fail(address.error());
     const auto texts = listen_to_cluster(*address, kListening);
     if (!texts) return fail(texts.error());
+    say_of_openness(*address);
     const std::vector<Hello> hellos = last_words(*texts);
     if (!json_) return print_result_line(table_of(hellos));
     std::string lines;

@@ -161,7 +161,7 @@ public:
                 files.reads(input);
         }
         add_login_files(files, options_.cluster);
-        return files;
+        return files.fills(options_.out);
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (options_.arms.empty() && options_.worlds.empty())

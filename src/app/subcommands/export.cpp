@@ -52,7 +52,7 @@ public:
     CommandFiles files() const override {
         CommandFiles files;
         files.reads(file_);
-        if (museum_) return files.writes(out_);  // a folder
+        if (museum_) return files.fills(out_);
         return files.writes(out_, settings_                  ? output_form::kSettings
                                   : champion_ || generation_ ? output_form::kCreature
                                                              : output_form::kTable);

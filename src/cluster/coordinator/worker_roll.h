@@ -26,8 +26,14 @@ public:
     };
     WorkerRoll(Build build, std::string own_name, std::size_t own_cores);
 
-    // A worker that leaves is no longer listed, unless it was refused.
-    void hear(const Hello& hello, double now, const Trust& trust);
+    // `login` is that of the sender. A worker that leaves is no longer listed, unless it was
+    // refused. An id belongs to the login that announced it first.
+    void hear(const Hello& hello, const std::string& login, double now, const Trust& trust);
+    // Whether a result of that worker and login counts: the worker has announced itself, with this
+    // build's version and proof.
+    bool counts(std::uint64_t worker, const std::string& login) const;
+    // Returns the login of a listed worker; empty for others.
+    std::string login_of(std::uint64_t worker) const;
     void worked(std::uint64_t worker, std::uint64_t creatures, std::uint64_t work, double now);
     void worked_at_home(std::uint64_t creatures, std::uint64_t work, double now);
 
@@ -45,11 +51,13 @@ public:
 private:
     struct Member {
         Hello hello;
+        std::string login;
         double heard = 0.0;
         bool doubted = false;
         RecentWork recent;
     };
     std::string refusal(const Member& member, const Trust& trust) const;
+    bool has_room_for(const std::string& login) const;
     void forget_silent(double now);
 
     Build build_;

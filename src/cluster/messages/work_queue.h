@@ -38,6 +38,15 @@ struct UnitId {
 struct UnitMessage {
     UnitId id;
     std::string body;
+    // Of a result, the login of its worker, for which the server vouches.
+    std::string login = {};
+};
+
+// An announcement (hello_text.h) and the login of the worker that made it; empty for a
+// coordinator's.
+struct HeardHello {
+    std::string text;
+    std::string login = {};
 };
 
 // The largest bodies, in bytes. A queue rejects larger ones unread and counts them as garbage.
@@ -59,7 +68,8 @@ enum class Publishing : std::uint8_t {
 // The messages that a coordinator's queue received since the last poll().
 struct CoordinatorNews {
     std::vector<UnitMessage> results;  // of the present run
-    std::vector<std::string> hellos;   // of workers and of other coordinators
+    // Of workers and of other coordinators. That of a worker comes before its results.
+    std::vector<HeardHello> hellos;
     // Accepted, but then rejected by the server or lost with the connection.
     std::vector<UnitId> not_published;
     // Delivered as often as the server's limit without an answer.

@@ -96,6 +96,7 @@ private:
     }
     void forget_generation_before(NatsSession& session, const UnitId& unit);
     bool send_unit(NatsSession& session, const UnitMessage& unit);
+    void take_hellos(const CoordinatorSubscriptions& from, CoordinatorNews& news) const;
     void take_acknowledgements(const CoordinatorSubscriptions& from);
     void take_acknowledgement(const natsMsg& message);
     void give_up_waiting();
@@ -323,7 +324,7 @@ void NatsCoordinatorQueue::take_result(natsMsg& message, CoordinatorNews& news) 
     if (!unit || body.size() > kMostResultBytes) {
         ++news.garbage;
     } else if (run_ && unit->run == *run_) {
-        news.results.push_back({*unit, std::string(body)});
+        news.results.push_back({*unit, std::string(body), subjects_.login_of(subject_of(message))});
     }
 }
 
@@ -360,6 +361,18 @@ void NatsCoordinatorQueue::take_undeliverable(const CoordinatorSubscriptions& fr
     }
 }
 
+void NatsCoordinatorQueue::take_hellos(const CoordinatorSubscriptions& from,
+                                       CoordinatorNews& news) const {
+    while (const auto message = from.hellos->next(0ms)) {
+        if (body_of(*message).size() <= kMostHelloBytes) {
+            news.hellos.push_back(
+                {std::string(body_of(*message)), subjects_.login_of(subject_of(*message))});
+        } else {
+            ++news.garbage;
+        }
+    }
+}
+
 CoordinatorNews NatsCoordinatorQueue::poll(std::chrono::milliseconds longest) {
     CoordinatorNews news;
     const NatsSessionPtr session = link_.ready();
@@ -367,13 +380,7 @@ CoordinatorNews NatsCoordinatorQueue::poll(std::chrono::milliseconds longest) {
     if (from) {
         take_acknowledgements(*from);
         take_undeliverable(*from);
-        while (const auto message = from->hellos->next(0ms)) {
-            if (body_of(*message).size() <= kMostHelloBytes) {
-                news.hellos.emplace_back(body_of(*message));
-            } else {
-                ++news.garbage;
-            }
-        }
+        take_hellos(*from, news);
     }
     give_up_waiting();
     {
@@ -384,6 +391,8 @@ CoordinatorNews NatsCoordinatorQueue::poll(std::chrono::milliseconds longest) {
     news.complaints = link_.take_complaints();
     if (session && from && from->session == session && from->results && from->results->valid()) {
         take_results(*from, longest, news);
+        // A worker announces itself before its first result, but on another subscription.
+        take_hellos(*from, news);
     } else if (news.empty()) {
         link_.wait(longest);
     }

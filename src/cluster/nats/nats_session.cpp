@@ -3,6 +3,7 @@
 #include "cluster/connection/complaints.h"
 #include "cluster/connection/credentials.h"
 #include "cluster/messages/text_for_people.h"
+#include "core/files/file_io.h"
 #include "core/random_id.h"
 #include "persist/text/digest_text.h"
 
@@ -30,6 +31,7 @@ constexpr std::int64_t kLongestReconnect = 1500;  // ms
 constexpr int kMostReconnects = 2'000'000'000;    // practically unlimited
 constexpr std::chrono::seconds kLongestGoodbye{5};
 constexpr std::size_t kLongestWords = 300;  // bytes
+constexpr std::size_t kMostAuthorityBytes = 4'000'000;
 
 // The pause between two attempts to reconnect. It grows with each attempt and differs between
 // programs.
@@ -126,6 +128,9 @@ Failure set_encryption(natsOptions* options, const ClusterAddress& address) {
     if (!address.encrypted) return std::nullopt;
     natsOptions_SetSecure(options, true);
     if (address.authority.empty()) return std::nullopt;
+    // The library would wait for the other end of a pipe.
+    if (const auto regular = read_file(address.authority, kMostAuthorityBytes); !regular)
+        return LinkFailure{"--ca: " + regular.error().message, true};
     if (natsOptions_LoadCATrustedCertificates(options, address.authority.c_str()) == NATS_OK)
         return std::nullopt;
     return LinkFailure{fmt::format("--ca {}: expected a file with certificates (PEM); {}",

@@ -9,6 +9,7 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kHashDigits = 16;
+constexpr int kTokensOfUnit = 3;  // run, generation and unit
 
 std::optional<std::uint64_t> id_of(std::string_view text) {
     return text.size() == kHashDigits ? parse_hex(text) : std::nullopt;
@@ -20,6 +21,10 @@ std::string_view token(std::string_view& text) {
     const std::string_view first = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     return first;
+}
+
+bool is_token(std::string_view text) {
+    return !text.empty() && text.find('.') == std::string_view::npos;
 }
 
 std::string generation_name(std::uint64_t run, std::uint32_t generation) {
@@ -54,9 +59,22 @@ std::optional<UnitId> NatsSubjects::unit_of(std::string_view subject) const {
     if (kind != "work" && kind != "result") return std::nullopt;
     const auto run = id_of(token(subject));
     const auto generation = parsed_number<std::uint32_t>(token(subject));
-    const auto unit = parsed_number<std::uint32_t>(subject);
+    const bool result = kind == "result";
+    const auto unit = parsed_number<std::uint32_t>(result ? token(subject) : subject);
     if (!run || !generation || !unit) return std::nullopt;
+    if (result && !is_token(subject)) return std::nullopt;
     return UnitId{*run, *generation, *unit};
+}
+
+std::string NatsSubjects::login_of(std::string_view subject) const {
+    if (token(subject) != cluster_) return "";
+    const std::string_view kind = token(subject);
+    const bool result = kind == "result";
+    if (!result && (kind != "hello" || token(subject) != "worker")) return "";
+    for (int skipped = 0; result && skipped < kTokensOfUnit; ++skipped)
+        token(subject);
+    const std::string_view login = token(subject);
+    return result == subject.empty() ? std::string(login) : "";
 }
 
 std::string NatsSubjects::stop(std::uint64_t run) const {

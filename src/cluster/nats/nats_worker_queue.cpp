@@ -1,5 +1,6 @@
 // The worker's side of work_queue.h over NATS JetStream.
 #include "cluster/connection/cluster_connection.h"
+#include "cluster/connection/credentials.h"
 #include "cluster/nats/nats_link.h"
 #include "cluster/nats/nats_pull.h"
 #include "cluster/nats/nats_streams.h"
@@ -35,9 +36,10 @@ using WorkerSubscriptionsPtr = std::shared_ptr<const WorkerSubscriptions>;
 
 class NatsWorkerQueue final : public WorkerQueue {
 public:
-    explicit NatsWorkerQueue(const ClusterAddress& address)
+    NatsWorkerQueue(const ClusterAddress& address, std::string login)
         : subjects_(address.name),
-          link_(address, subjects_.worker_inbox(),
+          login_(std::move(login)),
+          link_(address, subjects_.worker_inbox(login_),
                 [this](const NatsSessionPtr& s) { return prepare(s); }) {}
     Status open() { return link_.open(); }
 
@@ -55,7 +57,7 @@ public:
     WorkerNews poll() override;
     void say_hello(std::string_view sender, std::string_view text) override {
         if (const NatsSessionPtr session = link_.ready())
-            session->send(subjects_.worker_hello(sender), text);
+            session->send(subjects_.worker_hello(login_, sender), text);
     }
 
 private:
@@ -70,6 +72,7 @@ private:
     void deliver(natsMsg& message, std::vector<Delivery>& deliveries);
 
     const NatsSubjects subjects_;
+    const std::string login_;
     mutable std::mutex mutex_;
     WorkerSubscriptionsPtr subscriptions_;          // of the last connection
     std::map<std::uint64_t, std::string> tickets_;  // reply subjects of deliveries
@@ -181,7 +184,7 @@ bool NatsWorkerQueue::publish_result(const UnitMessage& result) {
     if (!session || result.body.size() > kMostResultBytes) return false;
     // The result would never be deleted.
     if (has_ended(result.id.run)) return true;
-    const std::string subject = subjects_.result(result.id);
+    const std::string subject = subjects_.result(result.id, login_);
     // Differs from other workers' results of the unit.
     const std::string id = fmt::format("{}.{}", subject, name_);
     jsPubOptions options;
@@ -231,7 +234,13 @@ WorkerNews NatsWorkerQueue::poll() {
 }  // namespace
 
 Result<std::unique_ptr<WorkerQueue>> connect_worker(const ClusterAddress& address) {
-    auto queue = std::make_unique<NatsWorkerQueue>(address);
+    Credentials credentials;
+    if (!address.credentials.empty()) {
+        const Result<Credentials> read = read_credentials(address.credentials);
+        if (!read) return read.error();
+        credentials = *read;
+    }
+    auto queue = std::make_unique<NatsWorkerQueue>(address, credentials.login);
     if (const Status opened = queue->open(); !opened) return opened.error();
     return std::unique_ptr<WorkerQueue>(std::move(queue));
 }

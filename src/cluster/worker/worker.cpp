@@ -40,7 +40,8 @@ constexpr double kProgressEvery = 2.0;  // s
 constexpr int kMostPublishing = 10;     // attempts to publish a result
 // Time in s for which the refusal is reported after the last refused unit.
 constexpr double kRefusalShown = 10.0;
-constexpr std::size_t kMostRunsTold = 64;  // runs about which a message was printed
+constexpr double kRefusalHeeded = 3.0 * kHelloEvery;  // s after a run has said it last
+constexpr std::size_t kMostRunsTold = 64;             // runs about which a message was printed
 
 // A unit that the worker has taken.
 struct InHand {
@@ -60,7 +61,7 @@ public:
           proof_trials_(proof_trials(kinds)),
           proof_(proof_of(proof_trials_)) {}
 
-    Status run(const std::stop_token& stop);
+    void run(const std::stop_token& stop);
 
 private:
     // Runs on the calling thread: it fetches units, sends hellos and watches deadlines.
@@ -68,6 +69,9 @@ private:
     void keep_in_hand();
     void listen();
     void hear(const Hello& hello);
+    void heed(std::uint64_t run, const std::string& reason);
+    // Returns why that run refuses this worker now; empty if it does not.
+    std::string refusal_by(std::uint64_t run);
     void watch_link();
     void say_hello(bool leaving);
     void give_back_waiting();
@@ -103,7 +107,12 @@ private:
     std::set<std::pair<std::uint64_t, std::string>> told_;
     std::string refusal_;  // reason of refused units, reported for kRefusalShown after refused_at_
     double refused_at_ = 0.0;
-    std::string end_;  // why a coordinator rejects this worker
+    // Runs that say they refuse this worker, with the reason and the time until which this holds.
+    struct Refused {
+        std::string reason;
+        double until = 0.0;  // on the worker's clock
+    };
+    std::map<std::uint64_t, Refused> refused_by_;
 
     std::set<std::uint64_t> known_runs_;  // used by the calling thread
     bool was_connected_ = false;
@@ -113,14 +122,14 @@ private:
     std::vector<std::jthread> cores_;  // last member, since they use the others
 };
 
-Status Worker::run(const std::stop_token& stop) {
+void Worker::run(const std::stop_token& stop) {
     for (std::size_t core = 0; core < options_.threads.workers; ++core)
         cores_.emplace_back([this](const std::stop_token& end) {
             take_priority(options_.threads.priority);
             serve_core(end);
         });
     const std::stop_callback wake(stop, [this] { changed_.notify_all(); });
-    while (!stop.stop_requested() && end_.empty()) {
+    while (!stop.stop_requested()) {
         watch_link();
         listen();
         keep_in_hand();
@@ -133,8 +142,6 @@ Status Worker::run(const std::stop_token& stop) {
     stop_begun();
     cores_.clear();
     say_hello(true);
-    if (!end_.empty()) return Error{end_};
-    return {};
 }
 
 void Worker::watch_link() {
@@ -213,9 +220,25 @@ void Worker::hear(const Hello& hello) {
     }
     for (const Refusal& refusal : hello.refusals) {
         if (refusal.worker != options_.id) continue;
-        const std::lock_guard lock(mutex_);
-        end_ = fmt::format("run {} refuses this worker: {}", hex_text(hello.id), refusal.reason);
+        heed(hello.id, refusal.reason);
     }
+}
+
+// The worker goes on for other runs, since anyone who may announce a run could say this.
+void Worker::heed(std::uint64_t run, const std::string& reason) {
+    tell_once(run, fmt::format("run {} refuses this worker: {}", hex_text(run), reason));
+    const double now = clock_.seconds();
+    const std::lock_guard lock(mutex_);
+    std::erase_if(refused_by_, [now](const auto& entry) { return entry.second.until < now; });
+    if (refused_by_.size() < kMostRunsTold || refused_by_.contains(run))
+        refused_by_[run] = {reason, now + kRefusalHeeded};
+}
+
+std::string Worker::refusal_by(std::uint64_t run) {
+    const std::lock_guard lock(mutex_);
+    const auto found = refused_by_.find(run);
+    if (found == refused_by_.end() || found->second.until < clock_.seconds()) return {};
+    return "refuses this worker: " + found->second.reason;
 }
 
 void Worker::say_hello(bool leaving) {
@@ -280,6 +303,8 @@ void Worker::work_on(InHand& unit, const std::stop_token& stop) {
     const UnitMessage& message = unit.delivery.unit;
     if (stop.stop_requested()) return queue_.give_back(unit.delivery.ticket, milliseconds(0));
     if (unit.stop.stop_requested()) return queue_.discard(unit.delivery.ticket);
+    if (const std::string why = refusal_by(message.id.run); !why.empty())
+        return refuse_unit(unit, why);
     const Result<UnitOutline> outline = parse_unit_outline(message.body);
     if (!outline) return discard(unit, outline.error().message);
     const std::string why = mismatch(*outline);
@@ -377,9 +402,9 @@ void Worker::tell_once(std::uint64_t run, const std::string& line) {
 
 }  // namespace
 
-Status work_for_cluster(const EvolutionKinds& kinds, WorkerQueue& queue,
-                        const WorkerOptions& options, const std::stop_token& stop) {
-    return Worker(kinds, queue, options).run(stop);
+void work_for_cluster(const EvolutionKinds& kinds, WorkerQueue& queue, const WorkerOptions& options,
+                      const std::stop_token& stop) {
+    Worker(kinds, queue, options).run(stop);
 }
 
 }  // namespace cambrian

@@ -3,7 +3,6 @@
 // A worker, which computes units of any coordinator until it is stopped.
 
 #include "cluster/messages/work_queue.h"
-#include "core/result.h"
 #include "core/threads/thread_share.h"
 #include "evolution/kinds/evolution_kinds.h"
 
@@ -24,9 +23,9 @@ struct WorkerOptions {
     std::function<void(std::string_view)> say;
 };
 
-// Returns after a stop request, once unfinished units are given back. Fails if a coordinator found
-// that a result of this worker differs.
-Status work_for_cluster(const EvolutionKinds& kinds, WorkerQueue& queue,
-                        const WorkerOptions& options, const std::stop_token& stop);
+// Returns after a stop request, once unfinished units are given back. Units of a run that refuses
+// this worker are given back as long as the run says so.
+void work_for_cluster(const EvolutionKinds& kinds, WorkerQueue& queue, const WorkerOptions& options,
+                      const std::stop_token& stop);
 
 }  // namespace cambrian

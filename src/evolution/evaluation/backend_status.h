@@ -39,8 +39,9 @@ struct BackendCounts {
     std::uint64_t overdue_at_home = 0;  // overdue units that this program's own cores computed
     std::uint64_t checked = 0;          // creatures computed again by this program
     std::uint64_t refused = 0;          // results not accepted because their worker is refused
-    std::uint64_t malformed = 0;        // messages that could not be read
-    std::uint64_t poisoned = 0;         // units computed in a separate process
+    std::uint64_t unknown = 0;    // results of workers that did not announce themselves with proof
+    std::uint64_t malformed = 0;  // messages that could not be read
+    std::uint64_t poisoned = 0;   // units computed in a separate process
 };
 
 enum class ClusterLink : std::uint8_t {

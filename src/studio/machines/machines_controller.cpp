@@ -5,6 +5,8 @@
 #include "evolution/backends/thread_pool_backend.h"
 #include "studio/machines/machine_words.h"
 
+#include <fmt/format.h>
+
 #include <string>
 #include <utility>
 #include <variant>
@@ -61,7 +63,7 @@ MachinesController::Attempt MachinesController::attempt_to_join(const ClusterLog
     }
     if (auto backend = join(*address, threads)) {
         attempt.backend = *std::move(backend);
-        attempt.warning = plain_text_warning(*address);
+        attempt.warning = fmt::format("{}", fmt::join(openness_warnings(*address), "; "));
     } else {
         attempt.problem = backend.error().message;
     }
