@@ -34,6 +34,7 @@ uniform vec4 tint[COUNT];
 uniform vec4 form;           // px: blend, outline, wave; pattern
 uniform vec4 look;           // crease, flash, alpha, contrast of the pattern
 uniform vec3 sun;
+uniform vec3 halfway;  // between the sun and the viewer
 uniform vec3 key;
 uniform vec3 fill;
 uniform vec3 rim;
@@ -79,7 +80,7 @@ void cover(int i) {
     float above = here - max(depth, 0.0);
     float over = clamp(0.5 - 0.5 * above / (0.3 * blend + 0.75), 0.0, 1.0);
     over = over * over * (3.0 - 2.0 * over);
-    float near = max(0.0, 1.0 - max(above, 0.0) / (1.3 * blend));
+    float near = max(0.0, 1.0 - max(above, 0.0) / (0.8 * blend));
     shade = mix(shade * (1.0 - 0.42 * look.x * near * near), 1.0, over);
     lean = mix(lean, normal, over);
     base = mix(base, tint[i].rgb, over);
@@ -95,17 +96,18 @@ float pattern() {
     float along = inside.x / form.z + phase;
     float across = inside.y / form.z;
     float sway = 0.10 * sin(across * 4.7 + phase * 5.0);
+    float swing = sin(along * 6.28318);
     float wave = -1.0;
     if (form.w > 4.5) {
         wave = abs(fract(along - abs(across + 0.3 * sway) * 0.8) - 0.5) * 4.0 - 1.0;
     } else if (form.w > 3.5) {
-        wave = (lean.y * 1.7 - 0.3 + 0.34 * sin(along * 7.3) + sway) * 3.0;
+        wave = (lean.y * 1.7 - 0.3 + 0.34 * swing + sway) * 3.0;
     } else if (form.w > 2.5) {
-        wave = abs(fract(across * 1.35 + 0.25 + 0.06 * sin(along * 5.1)) - 0.5) * 4.0 - 1.0;
+        wave = abs(fract(across * 1.35 + 0.25 + 0.06 * swing) - 0.5) * 4.0 - 1.0;
     } else if (form.w > 1.5) {
         float row = floor(across * 1.5 + 0.5);
         vec2 cell = vec2(fract(along * 1.5 + 0.5 * row) - 0.5, across * 1.5 - row);
-        wave = (0.33 + 0.06 * sin(along * 2.7 + row * 2.1) - length(cell)) * 7.0;
+        wave = (0.33 + 0.06 * swing - length(cell)) * 7.0;
     } else if (form.w > 0.5) {
         wave = abs(fract(along + sway) - 0.5) * 4.0 - 0.9;
     }
@@ -146,7 +148,7 @@ void main() {
     vec3 lit = paint * light;
     float edge = 1.0 - up;
     lit += rim * edge * edge * clamp(lean.y + 0.35, 0.0, 1.0);
-    float gleam = max(dot(normal, normalize(sun + vec3(0.0, 0.0, 1.0))), 0.0);
+    float gleam = max(dot(normal, halfway), 0.0);
     gleam *= gleam;
     gleam *= gleam;
     gleam *= gleam;
@@ -193,6 +195,7 @@ SkinPainter::Program::Program(Shader linked)
       form(shader.uniform("form")),
       look(shader.uniform("look")),
       sun(shader.uniform("sun")),
+      halfway(shader.uniform("halfway")),
       key(shader.uniform("key")),
       fill(shader.uniform("fill")),
       rim(shader.uniform("rim")),
@@ -247,6 +250,9 @@ void SkinPainter::use(const Program& program, const SceneFrame& frame, const Ski
     const Vec3 sun = light.sun.normalized();
     glUniform3f(program.sun, static_cast<float>(sun.x()), static_cast<float>(sun.y()),
                 static_cast<float>(sun.z()));
+    const Vec3 halfway = (sun + Vec3::UnitZ()).normalized();
+    glUniform3f(program.halfway, static_cast<float>(halfway.x()), static_cast<float>(halfway.y()),
+                static_cast<float>(halfway.z()));
     give(program.key, light.key);
     give(program.fill, light.fill);
     give(program.rim, light.rim);

@@ -28,7 +28,8 @@ private:
     struct Program {
         explicit Program(Shader linked);
         Shader shader;
-        int origin, size, place, extent, corner, tint, form, look, sun, key, fill, rim, ink, lamp;
+        int origin, size, place, extent, corner, tint, form, look, sun, halfway, key, fill, rim,
+            ink, lamp;
     };
     explicit SkinPainter(std::vector<Program> programs) : programs_(std::move(programs)) {}
     void place_boxes(const SceneFrame& frame, const Skin& skin, const Camera& camera,

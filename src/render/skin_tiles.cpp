@@ -11,8 +11,8 @@ namespace {
 
 constexpr float kEdge = 1.5F;  // pixels around a skin that it may colour
 // Boxes matter to each other up to these multiples of the blend.
-constexpr float kReach = 1.2F;      // their difference in distance
-constexpr float kLift = 0.5F;       // how much farther out a melted outline may be
+constexpr float kReach = 1.0F;      // their difference in distance
+constexpr float kLift = 0.3F;       // how much farther out a melted outline may be
 constexpr float kSoftEdge = 0.3F;   // half the width of the edge of a box over others
 constexpr float kLeastTile = 4.0F;  // pixels
 constexpr float kHalfDiagonal = 0.70710678F;
@@ -81,7 +81,11 @@ private:
             least = std::min(least, all.distance[i]);
         }
         NearBoxes near;
-        if (least - reach - kLift * blend_ > kEdge) return near;
+        // Outlines are lifted only where boxes melt.
+        const auto melting = std::count_if(
+            all.distance.begin(), all.distance.begin() + static_cast<std::ptrdiff_t>(all.count),
+            [&](float each) { return each < least + 2.0F * reach + blend_; });
+        if (least - reach - (melting > 1 ? kLift * blend_ : 0.0F) > kEdge) return near;
         const float farthest = std::max(least + reach, 0.0F) + kReach * blend_;
         // A box that covers all of the square hides those behind it.
         std::size_t behind = all.count;

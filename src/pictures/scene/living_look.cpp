@@ -39,6 +39,18 @@ float roundness_at(const CreatureLook& look, const Pose& pose, const Vec2& corne
     return kRoundness + (kFootRoundness - kRoundness) * near;
 }
 
+// Returns the mean of all parts' smaller half extents, weighted by their areas, in m.
+double usual_half_width(const Phenotype& phenotype) {
+    double sum = 0.0;
+    double area = 0.0;
+    for (const PlannedPart& part : phenotype.plan.parts) {
+        const Vec2 half = part.half_extents.head<2>();
+        sum += half.minCoeff() * half.prod();
+        area += half.prod();
+    }
+    return sum / area;
+}
+
 SkinBox skin_box(const CreatureLook& look, std::size_t index, double size) {
     const Pose& pose = look.poses[index];
     SkinBox box;
@@ -138,7 +150,8 @@ void add_skin_of(SceneFrame& frame, const Camera& camera, const CreatureLook& lo
         frame.skin_boxes.push_back(skin_box(look, i, size));
     Skin skin;
     skin.boxes = look.poses.size();
-    skin.blend = std::clamp(0.11 * size, 1.2 * pixel, 60.0 * pixel);
+    skin.blend = std::clamp(std::min(0.11 * size, 1.6 * usual_half_width(look.phenotype)),
+                            1.2 * pixel, 60.0 * pixel);
     skin.outline_width = std::clamp(0.018 * size, 0.8 * pixel, 4.5 * pixel);
     skin.wave = size * wave_of(look.character.line);
     skin.pattern = pattern_of(look.character.line);
