@@ -21,8 +21,9 @@ namespace cambrian {
 namespace {
 
 constexpr int kJudgingWorlds = 10;
-// Relative change of the environments that confirm the champion.
-constexpr double kJudgingJitter = 0.01;
+// Changes of the worlds that confirm the champion.
+constexpr double kJudgingJitter = 0.01;  // relative, of gravity, friction and drag
+constexpr double kJudgingTilt = 2.0;     // degrees, of the ground
 // Index that keeps their random streams apart from those of survivor selection.
 constexpr std::uint64_t kJudging = 1'000;
 constexpr std::size_t kBest = 20;  // number of survivors whose body plans are counted
@@ -30,6 +31,7 @@ constexpr std::size_t kBest = 20;  // number of survivors whose body plans are c
 double confirmed_score(const GenomePtr& genome, ExperimentSettings settings,
                        const EvolutionKinds& kinds) {
     settings.selection.confirm_jitter = kJudgingJitter;
+    settings.selection.confirm_tilt = kJudgingTilt;
     std::vector<Probe> probes;
     for (std::uint64_t world = 0; world < kJudgingWorlds; ++world)
         probes.push_back({stream_seed({trial_seed(settings), kJudging, world})});
@@ -38,9 +40,9 @@ double confirmed_score(const GenomePtr& genome, ExperimentSettings settings,
 
 double accurate_score(const GenomePtr& genome, const ExperimentSettings& settings,
                       const EvolutionKinds& kinds) {
-    return completed_score(
-        evaluate_in_trials({.genome = genome, .trial_seed = trial_seed(settings)},
-                           accurate_settings(settings, kinds), kinds));
+    return evaluate_in_trials({.genome = genome, .trial_seed = trial_seed(settings)},
+                              accurate_settings(settings, kinds), kinds)
+        .fitness;
 }
 
 double jump_height(const GenomePtr& genome, const ExperimentSettings& settings,

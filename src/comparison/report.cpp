@@ -53,7 +53,7 @@ std::string row(const std::string& arm, const std::vector<ComparedRun>& runs,
     const bool reference = first.empty() || first.front().arm == arm;
     const ArmResult result = arm_result(runs, reference ? std::vector<ComparedRun>{} : first);
     const auto exact = std::count_if(runs.begin(), runs.end(), [](const ComparedRun& run) {
-        return std::fabs(run.finer - run.score) <= kAgrees * run.score;
+        return std::fabs(run.finer - run.score) <= kAgrees * std::fabs(run.score);
     });
     std::string text =
         fmt::format("| {} | {} | {} | {} to {} | {}", arm, runs.size(), rounded(result.median),

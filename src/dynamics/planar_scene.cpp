@@ -411,6 +411,7 @@ void PlanarScene::use_environment(const Environment& environment) {
     if (environment.density != body().model.density) {
         change_density(body().model, environment.density);
         packed_.forget_model();
+        body().state.known_spins = 0;
     }
     body().forcing.medium = medium_of(environment);
     body().law = {body().motors_off ? 0.0 : environment.friction, environment.elasticity,
@@ -509,6 +510,7 @@ void PlanarScene::restore(const SceneState& state) {
     body().forcing.pulls.clear();
     if (saved->environment == environment_ && saved->motors_off == body().motors_off) return;
     body().state.cache_is_current = false;
+    body().state.known_spins = 0;
     body().state.energy_reference += energy() - energy_under(saved->environment);
 }
 

@@ -85,13 +85,18 @@ bool Evolution::evaluate(EvaluationBackend& backend, EvaluationProgress& progres
     const std::vector<Probe> probes =
         probes_of(*settings_, generation_, settings_->selection.confirmations);
     const auto survivors = [this](std::span<const IndividualPtr> all) { return survivors_of(all); };
-    if (!confirmation_.confirm(ranked, survivors, probes, {backend, *settings_, progress, stop}))
+    if (!confirmation_.confirm(ranked, survivors, probes,
+                               {backend, *settings_, progress, stop, least_score()}))
         return false;
     population_ = std::move(ranked);
     record_generation();
     forget_plan();
     evaluated_ = true;
     return true;
+}
+
+double Evolution::least_score() const {
+    return kinds_->goals.find(settings_->goal)->least_score;
 }
 
 // Returns the survivors if the generation were bred now.
@@ -117,7 +122,8 @@ std::optional<IndividualPtr> Evolution::confirmed_champion(EvaluationBackend& ba
         probes_of(*settings_, generation_, settings_->selection.confirmations + kChampionWorlds);
     const auto others = std::span(probes).last(kChampionWorlds);
     Confirmation confirmation;
-    if (!confirmation.confirm(candidates, everybody, others, {backend, *settings_, progress, stop}))
+    if (!confirmation.confirm(candidates, everybody, others,
+                              {backend, *settings_, progress, stop, least_score()}))
         return std::nullopt;
     const ExperimentSettings accurate = accurate_settings(*settings_, *kinds_);
     const auto champion =

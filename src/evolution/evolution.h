@@ -87,6 +87,7 @@ private:
                                                       std::uint64_t plan) const;
     void update_thresholds(const std::vector<IndividualPtr>& next);
     void forget_plan();
+    double least_score() const;
     void renew_chance();
     void take_settings(SettingsPtr settings);
     void meet_opponents();

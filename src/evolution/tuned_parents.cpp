@@ -3,6 +3,7 @@
 #include "core/assert.h"
 #include "evolution/selections/survival.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <set>
 
@@ -32,12 +33,12 @@ std::vector<std::optional<std::size_t>> draw_tuned_parents(std::span<const Indiv
     std::vector<std::optional<std::size_t>> parents(children);
     if (!(share > 0.0)) return parents;
     const std::vector<std::size_t> heads = heads_of_lines(ranked, survivors);
-    const double best = ranked[survivors.front()]->result.fitness;
-    const double worst = least_fitness(ranked, survivors);
+    const std::vector<double> lead = leads(ranked, survivors);
     std::vector<double> weights;
     for (const std::size_t head : heads) {
-        const double lead = ranked[head]->result.fitness - worst;
-        weights.push_back(kLeastHeadWeight + (best > worst ? lead / (best - worst) : 1.0));
+        const auto place = std::find(survivors.begin(), survivors.end(), head);
+        weights.push_back(kLeastHeadWeight +
+                          lead[static_cast<std::size_t>(place - survivors.begin())]);
     }
     for (std::optional<std::size_t>& parent : parents) {
         if (stream.chance(share)) parent = heads[stream.weighted(weights)];

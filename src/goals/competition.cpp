@@ -38,7 +38,7 @@ void register_competition(GoalRegistry& goals) {
                .default_trial = bouts(),
                .may_give_up = false,
                .is_contest = true,
-               .mismatch = needs_ground,
+               .mismatch = needs_level_ground,
                .score = score_competition});
 }
 

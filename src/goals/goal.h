@@ -44,13 +44,18 @@ struct GoalKind {
     std::vector<std::string> senses = {};
     // Allows early termination of trials, which extrapolates from the best speed so far.
     bool may_give_up = true;
+    // Default of early termination: whether that saves a noticeable share of the time.
+    bool default_give_up = false;
     // Creatures contend with opponents for a cube. A run draws the opponents of each generation
     // from its earlier champions (evolution/opponents.h).
     bool is_contest = false;
     // Returns why the goal is impossible in an environment, as half a sentence; empty if it is
     // possible.
     std::string (*mismatch)(const Environment& environment) = nullptr;
-    // Only completed records are scored; others score 0.
+    // No trial scores less. A trial that fails has this score where a number is needed, as in the
+    // median of several worlds.
+    double least_score = 0.0;
+    // Scores a completed record, or the beginning of one.
     Score (*score)(const TrialRecord& record) = nullptr;
     // A goal that judges all trials of a creature together sets both. `shares` returns the numbers
     // of one trial, `score_of_shares` the score of the numbers of all trials. If null, the scores

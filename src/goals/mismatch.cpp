@@ -24,6 +24,14 @@ std::string needs_ground(const Environment& environment) {
     return {};
 }
 
+std::string needs_level_ground(const Environment& environment) {
+    const std::string missing = needs_ground(environment);
+    if (!missing.empty()) return missing;
+    if (sine_cosine_of_degrees(environment.gravity_direction).cosine != 0.0)
+        return "the ground slopes, which favors one side";
+    return {};
+}
+
 std::string needs_air(const Environment& environment) {
     if (!(pull_down(environment) > 0.0)) return "nothing pulls creatures down";
     if (is_thin(environment)) return "the medium is too thin to carry anything";

@@ -11,6 +11,9 @@ namespace cambrian {
 // For goals that need a ground to push against and gravity that holds the creature there.
 std::string needs_ground(const Environment& environment);
 
+// For contests, which also need ground that does not slope to one side.
+std::string needs_level_ground(const Environment& environment);
+
 // For goals that need a medium to push against, without ground and without falling.
 std::string needs_water(const Environment& environment);
 

@@ -37,6 +37,7 @@ void register_swimming(GoalRegistry& goals) {
                .help = "Steady progress through water along one line, in body lengths per second.",
                .sample = "dart",
                .default_environment = water,
+               .default_give_up = true,
                .mismatch = needs_water,
                .score = score_swimming});
 }

@@ -3,7 +3,8 @@
 //
 //     S = max over both directions of [0.3 (p1 + p2 + p3 + p4) + 2.8 min(p)] / (BL * 0.8 T),
 //
-// at least 0. For steady motion this is the speed in body lengths per second. The trailing edge,
+// at least 0. On a slope only the direction uphill counts, since gravity carries a body down. For
+// steady motion this is the speed in body lengths per second. The trailing edge,
 // the ignored first fifth and the minimum of four windows prevent falls, launches and single hops
 // from scoring: a single event moves the edge in at most two windows.
 #include "goals/goal.h"
@@ -45,12 +46,18 @@ Progress progress_towards(const TrialRecord& record, int direction) {
     return progress;
 }
 
+Progress best_progress(const TrialRecord& record) {
+    if (record.up.x() > 0.0) return progress_towards(record, 1);
+    if (record.up.x() < 0.0) return progress_towards(record, -1);
+    const Progress right = progress_towards(record, 1);
+    const Progress left = progress_towards(record, -1);
+    return right.credit() >= left.credit() ? right : left;
+}
+
 Score score_walking(const TrialRecord& record) {
     const double scored_time = (1.0 - kSeams.front()) * record.duration;
     if (!(scored_time > 0.0 && record.body_length > 0.0)) return {};
-    const Progress right = progress_towards(record, 1);
-    const Progress left = progress_towards(record, -1);
-    const Progress& best = right.credit() >= left.credit() ? right : left;
+    const Progress best = best_progress(record);
     const double speed = std::max(0.0, best.credit() / (record.body_length * scored_time));
     return {speed,
             {{"distance", best.all, "m"},
@@ -65,10 +72,12 @@ void register_walking(GoalRegistry& goals) {
     goals.add({.id = "walking",
                .label = "Walking",
                .unit = "BL/s",
-               .help = "Steady progress over the ground, in body lengths per second.",
+               .help = "Steady progress over the ground, in body lengths per second; uphill if the "
+                       "ground slopes.",
                .sample = "walker",
                .default_confirmations = 2,
                .default_environment = [] { return Environment{}; },
+               .default_give_up = true,
                .mismatch = needs_ground,
                .score = score_walking});
 }

@@ -11,6 +11,7 @@ SettingsPtr assisted_settings(const ExperimentSettings& settings, std::uint32_t 
     assisted->seed = stream_seed({picking_seed(settings), node});
     assisted->population.size = kAssistedPopulation;
     assisted->population.fill = "mutants";
+    assisted->terminate_early = false;  // people look at creatures that selection would not keep
     return assisted;
 }
 

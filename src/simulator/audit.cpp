@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kMaxResidualShare = 0.05;
 constexpr double kMaxPositiveShare = 0.10;
+constexpr double kMaxSpinShare = 1e-3;
 constexpr double kFinerTolerance = 0.025;
 constexpr double kFinerContactStep = 0.25;
 constexpr double kFinerWork = 10.0;  // limit for the work, as a multiple of the original's
@@ -27,7 +28,8 @@ std::string_view verdict_name(AuditVerdict verdict) {
 
 AuditVerdict judge(const SceneAudit& audit) {
     const bool clean = std::fabs(audit.energy_residual) <= kMaxResidualShare * audit.energy_scale &&
-                       audit.positive_work <= kMaxPositiveShare * audit.energy_scale;
+                       audit.positive_work <= kMaxPositiveShare * audit.energy_scale &&
+                       audit.spin_gained <= kMaxSpinShare * audit.spin_scale;
     return clean ? AuditVerdict::kClean : AuditVerdict::kSuspect;
 }
 

@@ -14,8 +14,9 @@ enum class AuditVerdict : std::uint8_t { kClean, kSuspect, kInvalid };
 
 std::string_view verdict_name(AuditVerdict verdict);  // "clean", "suspect", "invalid"
 
-// Returns suspect if more than 5 % of the energy scale is unexplained, or if contacts, limits and
-// impacts, which can only dissipate, added more than 10 % of it.
+// Returns suspect if more than 5 % of the energy scale is unexplained, if contacts, limits and
+// impacts, which can only dissipate, added more than 10 % of it, or if the body gained 0.1 % of its
+// parts' angular momentum while nothing touched it.
 AuditVerdict judge(const SceneAudit& audit);
 // Returns the same for a trial; invalid if its motion could not be computed to the end.
 AuditVerdict judge(const TrialRecord& record);

@@ -7,6 +7,19 @@ bool is_invalid(Outcome outcome) {
            outcome == Outcome::kOverBudget;
 }
 
+int shortfall(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::kCompleted:
+            return 0;
+        case Outcome::kStoppedEarly:
+            return 1;
+        case Outcome::kRejected:
+            return 2;
+        default:
+            return 3;
+    }
+}
+
 std::string_view outcome_name(Outcome outcome) {
     switch (outcome) {
         case Outcome::kCompleted:

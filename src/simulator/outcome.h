@@ -16,6 +16,10 @@ enum class Outcome : std::uint8_t {
     kInterrupted,   // stopped from outside; not caused by the creature
 };
 
+// Returns how far a creature came, from 0 for a completed trial to 3 for a motion that is invalid.
+// Scores compare only creatures that came equally far; whoever came less far ranks below.
+int shortfall(Outcome outcome);
+
 // Returns whether the creature itself is the reason why there is no valid motion.
 bool is_invalid(Outcome outcome);
 

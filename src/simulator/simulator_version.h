@@ -10,6 +10,9 @@ namespace cambrian {
 //     1.1  contact problems solved exactly
 //     1.2  contact forces in the middle of steps twice as long; jumping by height measured in every
 //          tick, walking by its slowest quarter
-inline constexpr std::string_view kSimulatorVersion = "1.2";
+//     1.3  lengths of bodies by their corners' distances; walking counts uphill on a slope;
+//          contests from equal distances; angular momentum restored in every tick, steps that gain
+//          energy made again
+inline constexpr std::string_view kSimulatorVersion = "1.3";
 
 }  // namespace cambrian

@@ -1,6 +1,7 @@
 #include "simulator/trial.h"
 
 #include "core/text/number_text.h"
+#include "math/angle.h"
 #include "simulator/passive_sink.h"
 
 #include <fmt/core.h>
@@ -12,8 +13,9 @@
 namespace cambrian {
 namespace {
 
-constexpr int kCalmTicks = 24;  // 0.4 s
-constexpr int kDeepTicks = 12;  // 0.2 s
+constexpr int kCalmTicks = 24;   // 0.4 s
+constexpr int kDeepTicks = 12;   // 0.2 s
+constexpr int kLengthTicks = 3;  // 0.05 s between two measurements of the body's length
 // Trials with fewer evaluations take some tenths of a second and are finished rather than
 // interrupted.
 constexpr std::uint64_t kLongTrial = 100000;  // evaluations
@@ -22,21 +24,34 @@ int ticks_in(double seconds) {
     return static_cast<int>(std::lround(seconds / kBrainTick));
 }
 
+Vec3 up_of(const Environment& environment) {
+    if (!(environment.gravity > 0.0)) return Vec3::UnitY();
+    const SineCosine pull = sine_cosine_of_degrees(environment.gravity_direction);
+    return {-pull.cosine, -pull.sine, 0.0};
+}
+
+// Returns the environment of a world before it is tilted to the other side.
+Environment tilted(const TrialWorld& world) {
+    Environment environment = world.environment;
+    environment.gravity_direction += world.tilt;
+    return environment;
+}
+
 Result<std::unique_ptr<Bout>> begin_bout(const Kinds& kinds, const TrialWorld& world,
                                          PhysicsScene& own) {
     std::shared_ptr<const Phenotype> opponent;
     if (const GenomePtr genome = world.opponents.of_trial(world.light.trial))
         opponent = std::make_shared<const Phenotype>(
             express(*genome, kinds, world.expression, world.scene, Side::kMirrored));
-    return Bout::start(std::move(opponent), kinds, {world.environment, world.scene, world.light},
-                       own);
+    const Environment environment = tilted(world);
+    return Bout::start(std::move(opponent), kinds, {environment, world.scene, world.light}, own);
 }
 
 }  // namespace
 
 Result<std::unique_ptr<Trial>> Trial::start(std::shared_ptr<const Phenotype> phenotype,
                                             const Kinds& kinds, const TrialWorld& world) {
-    auto scene = kinds.scene.make(phenotype->plan, world.environment, world.scene);
+    auto scene = kinds.scene.make(phenotype->plan, tilted(world), world.scene);
     if (!scene) return scene.error();
     std::unique_ptr<Bout> bout;
     if (world.trial.has_cube) {
@@ -55,16 +70,16 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
       test_length_(static_cast<std::uint64_t>(ticks_in(world.trial.duration))),
       scene_(std::move(bodies.scene)),
       bout_(std::move(bodies.bout)),
-      surroundings_(world_.environment, world_.light, phenotype_->rest_length(),
-                    senses_of(*phenotype_, kinds)),
+      surroundings_(tilted(world), world_.light, senses_of(*phenotype_, kinds)),
       creature_(*phenotype_, kinds, world_.scene),
+      length_(phenotype_->parts.size()),
       coordinates_(phenotype_->effector_parts.size()),
       progress_{.rest = RestWatch(phenotype_->network, kinds.functions)} {
     progress_.record.duration = world_.trial.duration;
-    progress_.record.rest_length = phenotype_->rest_length();
-    progress_.record.body_length = progress_.record.rest_length;
+    progress_.record.body_length = phenotype_->rest_length();
     progress_.record.mass = scene_->mass();
     progress_.record.has_ground = world_.environment.has_ground;
+    progress_.record.up = up_of(world.environment);
     progress_.record.passive_sink = passive_sink(world_.environment);
     progress_.record.samples.reserve(test_length_ / kTicksPerSample + 2);
     impacts_.reserve(kMostImpacts);
@@ -82,6 +97,10 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
 void Trial::set_motors_off(bool off) {
     scene_->set_motors_off(off);
     if (bout_) bout_->set_motors_off(off);
+}
+
+SceneStatus Trial::settle() {
+    return bout_ ? bout_->settle(*scene_, kBrainTick) : scene_->advance(kBrainTick);
 }
 
 SceneStatus Trial::advance() {
@@ -119,8 +138,7 @@ bool Trial::tick() {
 
 void Trial::settle_tick() {
     creature_.hold_rest(*scene_);
-    if (bout_) bout_->hold_rest();
-    if (const SceneStatus status = advance(); status != SceneStatus::kRunning) {
+    if (const SceneStatus status = settle(); status != SceneStatus::kRunning) {
         fail_with(status);
         return;
     }
@@ -136,11 +154,12 @@ void Trial::settle_tick() {
 void Trial::begin_test() {
     if (progress_.settling && world_.trial.settle_motors_off) set_motors_off(false);
     progress_.settling = false;
+    if (bout_) bout_->begin(*scene_);
     scene_->restart_audit();
     for (const std::uint16_t part : phenotype_->effector_parts) {
         progress_.reversals.emplace_back(scene_->joint_coordinate(part));
     }
-    watch_jumps();
+    watch_body();
     sample();
     if (test_length_ == 0) finish();
 }
@@ -154,13 +173,21 @@ std::size_t Trial::leg_count() const {
     return (test_length_ + leg - 1) / leg;
 }
 
+void Trial::tilt_back() {
+    if (world_.tilt == 0.0 || progress_.test_ticks != test_length_ / 2) return;
+    Environment other = world_.environment;
+    other.gravity_direction -= world_.tilt;
+    set_environment(other);
+}
+
 // Moves the light before the creature reads its sensors.
 void Trial::move_light() {
     LightSource& source = surroundings_.source();
     if (!source.is_on()) return;
-    source.move(progress_.test_ticks, scene_->center_of_mass());
+    const double length = progress_.record.body_length;
+    source.move(progress_.test_ticks, scene_->center_of_mass(), length);
     if (!progress_.finished && progress_.test_ticks % source.leg_ticks() == 0)
-        progress_.record.legs.begin(distance_to_light());
+        progress_.record.legs.begin(distance_to_light(), length);
 }
 
 // Returns whether nothing can move any more. A moving light, a smell or an opponent may wake a
@@ -178,6 +205,7 @@ void Trial::pass_on_emissions() {
 }
 
 void Trial::test_tick() {
+    tilt_back();
     move_light();
     creature_.act(*scene_, surroundings_, kBrainTick);
     if (bout_) bout_->act(progress_.test_ticks);
@@ -192,7 +220,7 @@ void Trial::test_tick() {
     watch_reversals();
     check_guards();
     if (progress_.finished) return;
-    watch_jumps();
+    watch_body();
     if (surroundings_.source().is_on()) progress_.record.legs.watch(distance_to_light());
     const bool last = progress_.test_ticks >= test_length_;
     if (last || progress_.test_ticks % kTicksPerSample == 0) sample();
@@ -224,16 +252,16 @@ void Trial::watch_reversals() {
 }
 
 // Without ground there are no jumps.
-void Trial::watch_jumps() {
-    if (!progress_.record.has_ground) return;
-    progress_.record.jumps.watch(scene_->lowest_point(), scene_->center_of_mass().y());
+void Trial::watch_body() {
+    TrialRecord& record = progress_.record;
+    if (progress_.test_ticks % kLengthTicks == 0)
+        record.body_length = length_.longest(*scene_, record.body_length);
+    if (!record.has_ground) return;
+    record.jumps.watch(scene_->lowest_point(), scene_->center_of_mass().dot(record.up));
 }
 
 void Trial::sample() {
-    const Bounds bounds = scene_->bounds();
-    const Vec3 sides = bounds.high - bounds.low;
-    progress_.record.body_length = std::max({progress_.record.body_length, sides.x(), sides.y()});
-    progress_.record.samples.push_back({time(), scene_->center_of_mass(), bounds});
+    progress_.record.samples.push_back({time(), scene_->center_of_mass(), scene_->bounds()});
     add_to_digest();
 }
 

@@ -9,6 +9,7 @@
 #include "creature/creature.h"
 #include "simulator/contest/bout.h"
 #include "simulator/contest/opponents.h"
+#include "simulator/length_meter.h"
 #include "simulator/rest_watch.h"
 #include "simulator/reversals.h"
 #include "simulator/settings/trial_settings.h"
@@ -34,6 +35,9 @@ struct TrialWorld {
     // The following are unset in settings and follow from them (evolution/evaluation/trials.h).
     LightDraw light;
     ExpressionSettings expression;  // of the opponents
+    // Degrees by which gravity is turned to one side in settling and the first half of the test,
+    // and to the other side in the second half, in a confirming world.
+    double tilt = 0.0;
 
     friend bool operator==(const TrialWorld&, const TrialWorld&) = default;
 };
@@ -119,15 +123,17 @@ private:
           Bodies bodies);
     void place_at_start();
     void set_motors_off(bool off);
+    SceneStatus settle();
     SceneStatus advance();
     void add_to_digest();
     void settle_tick();
     void test_tick();
     void begin_test();
+    void tilt_back();
     void move_light();
     void pass_on_emissions();
     void watch_reversals();
-    void watch_jumps();
+    void watch_body();
     void sample();
     double distance_to_light() const;
     std::size_t leg_count() const;
@@ -145,6 +151,7 @@ private:
     TrialSurroundings surroundings_;
     std::vector<SceneImpact> impacts_;  // of the last tick
     Creature creature_;
+    LengthMeter length_;
     std::vector<double> coordinates_;  // of the effectors' joints, after the last tick
     Progress progress_;
 };

@@ -30,9 +30,11 @@ struct TrialRecord {
     // Computed time of the test phase, in s; less than `duration` if it ended early.
     double computed_time = 0.0;
     double body_length = 0.0;  // m, simulator/README.md 1
-    double rest_length = 0.0;  // m, of the body in its rest pose
     double mass = 0.0;         // kg
     bool has_ground = false;
+    // Against gravity, as the settings have it; away from the ground without gravity. Its x says
+    // which way a slope rises.
+    Vec3 up = Vec3::UnitY();
     double passive_sink = 0.0;  // m/s, of the environment (simulator/passive_sink.h)
     // Hz, of the joint with the highest rate; swings over 0.05 rad count.
     double reversal_rate = 0.0;

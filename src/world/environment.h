@@ -32,7 +32,7 @@ struct Environment {
     std::string light_motion = "still";  // one of kLightMotionIds
     double light_range = 5.0;            // m; how far it wanders from its start, each way
     double light_reach = 2.0;            // m; distance at which half the intensity is left
-    double light_nearest = 3.0;          // rest lengths; least distance of a jump, positive
+    double light_nearest = 3.0;          // body lengths; least distance of a jump, positive
     double light_farthest = 6.0;         // the same; greatest, not below it
     double light_period = 5.0;           // s between two jumps
     bool deaf = false;                   // nobody hears anything

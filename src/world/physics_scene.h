@@ -45,15 +45,20 @@ struct SceneImpact {
 
 // The energy audit of the motion so far (simulator/README.md 4). Works are in J.
 struct SceneAudit {
-    double motor_work = 0.0;         // net work
-    double gross_motor_work = 0.0;   // integral of |power|
-    double drag_work = 0.0;          // <= 0
-    double contact_work = 0.0;       // resting and sliding contact
-    double limit_work = 0.0;         // joint limits
-    double impulse_work = 0.0;       // impacts
-    double positive_work = 0.0;      // energy added by contacts, limits and impacts; 0 in reality
-    double energy_residual = 0.0;    // change of mechanical energy not explained by the works
-    double energy_scale = 0.0;       // gross motor work + weight * 1 cm; reference for the residual
+    double motor_work = 0.0;        // net work
+    double gross_motor_work = 0.0;  // integral of |power|
+    double drag_work = 0.0;         // <= 0
+    double contact_work = 0.0;      // resting and sliding contact
+    double limit_work = 0.0;        // joint limits
+    double impulse_work = 0.0;      // impacts
+    double positive_work = 0.0;     // energy added by contacts, limits and impacts; 0 in reality
+    double energy_residual = 0.0;   // change of mechanical energy not explained by the works
+    double energy_scale = 0.0;      // gross motor work + weight * 1 cm; reference for the residual
+    // kg m^2/s, both seen once a second while nothing touches the body: the greatest change of its
+    // angular momentum that nothing outside explains, and the greatest sum of its parts' momenta
+    // plus that of 1e-3 rad/s. They are not stored.
+    double spin_gained = 0.0;
+    double spin_scale = 0.0;
     double max_penetration = 0.0;    // m
     double max_limit_overrun = 0.0;  // rad or m
     double max_part_speed = 0.0;     // m/s, at the ends of ticks

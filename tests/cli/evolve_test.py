@@ -61,7 +61,7 @@ class Evolve(ProgramTest):
         self.assertEqual(sum(first["births_by_line"].values()), 12)
         self.assertEqual(len(reports[-1]["scores"]), 11)
         self.assertEqual(reports[-1]["fitness"], sorted(reports[-1]["scores"])[5])
-        self.assertIsNone(reports[-1]["audited"])
+        self.assertIsNone(reports[-1]["audited"])  # 2 s are too short to end early
 
     def test_the_champions_origin_is_told_in_words(self):
         self.write("grown.toml", SMALL + "[mutation]\nrate = 3\n")
@@ -250,14 +250,24 @@ class Evolve(ProgramTest):
 
     def test_giving_up_tells_how_many_were_audited(self):
         # A trial ends after 4.5 s at the earliest.
-        self.write("hasty.toml", SMALL.replace("[run]\n", "[run]\nstop-hopeless = true\n")
-                   .replace("duration = 2", "duration = 9").replace("size = 12", "size = 30"))
+        self.write("hasty.toml", SMALL.replace("duration = 2", "duration = 9")
+                   .replace("size = 12", "size = 30"))
         words = self.run_well("evolve", "hasty.toml", "-n", 6, "-o", "a.json").stdout
         self.assertRegex(words, r"\nearly termination: \d+ audited, \d+ would have survived\n")
         report = self.run_well("evolve", "hasty.toml", "-n", 6, "--json", "-o", "a.json").stdout
         audited = json.loads(report.splitlines()[-1])["audited"]
         self.assertGreater(audited["finished"], 0)
         self.assertLessEqual(audited["would_have_survived"], audited["finished"])
+
+    def test_rejected_creatures_do_not_take_a_population_of_negative_scores(self):
+        self.write("seek.toml", '[goal]\nbehavior = "seeking"\n[population]\nsize = 20\n'
+                                "[trial]\nduration = 5.0\n")
+        lines = self.run_well("evolve", "seek.toml", "-n", 12, "--json", "-o", "a.json").stdout
+        reports = [json.loads(line) for line in lines.splitlines()]
+        for report in reports[1:-1]:
+            self.assertLess(report["rejected"], 0.5 * report["evaluations"], report)
+            self.assertLessEqual(report["lower"], report["median"])
+            self.assertLessEqual(report["median"], report["best"])
 
     def test_the_exported_champion_is_the_one_that_was_audited(self):
         self.write("small.toml", SMALL)

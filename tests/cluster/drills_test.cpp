@@ -94,8 +94,8 @@ TEST_CASE("several trials, probes and early-termination thresholds are transferr
           "[cluster][threads]") {
     ExperimentSettings settings = drill_settings();
     settings.generations = 6;
-    settings.terminate_early = true;
-    settings.world.trial.trials = 3;
+    settings.terminate_early = true;  // has an effect with one trial only
+    settings.world.trial.trials = GENERATE(1, 3);
     settings.world.trial.friction_jitter = 0.2;
     settings.world.trial.tilt_jitter = 5.0;
     settings.world.trial.combine = GENERATE("mean", "minimum");

@@ -119,6 +119,7 @@ TEST_CASE("what a result depends on of the settings travels, and nothing else", 
     settings.world.environment.gravity = 3.7;
     settings.world.trial.trials = 4;
     settings.selection.confirm_jitter = 0.037;
+    settings.selection.confirm_tilt = 3.7;
     const Result<JudgingSettings> judging = judging_settings(settings, kinds());
     REQUIRE(judging);
     CHECK(judging->key == settings_key(judging->text));
@@ -126,12 +127,16 @@ TEST_CASE("what a result depends on of the settings travels, and nothing else", 
     REQUIRE(read);
     CHECK(same_judgement(*read, settings));
     CHECK(read->selection.confirm_jitter == 0.037);
+    CHECK(read->selection.confirm_tilt == 3.7);
     // Workers keep their settings when only breeding changes.
     settings.mutation = {};
     settings.population.size = 77;
     settings.seed = 5;
     CHECK(judging_settings(settings, kinds())->key == judging->key);
     settings.selection.confirm_jitter = 0.01;
+    CHECK(judging_settings(settings, kinds())->key != judging->key);
+    settings.selection.confirm_jitter = 0.037;
+    settings.selection.confirm_tilt = 2.0;
     CHECK(judging_settings(settings, kinds())->key != judging->key);
 }
 

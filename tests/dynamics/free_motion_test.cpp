@@ -65,7 +65,7 @@ TEST_CASE("gravity pulls in its direction", "[dynamics][free_motion]") {
 TEST_CASE("a free chain keeps its energy and angular momentum", "[dynamics][free_motion]") {
     const Drift drift = drift_after_ten_seconds("bogacki-shampine", 1e-3);
     CHECK(drift.energy < 5e-3);
-    CHECK(drift.momentum < 5e-3);
+    CHECK(drift.momentum < 1e-11);
 }
 
 TEST_CASE("a tenth of the tolerance is a fifth of the drift", "[dynamics][free_motion]") {
@@ -73,19 +73,15 @@ TEST_CASE("a tenth of the tolerance is a fifth of the drift", "[dynamics][free_m
         const Drift coarse = drift_after_ten_seconds("bogacki-shampine", tolerance);
         const Drift fine = drift_after_ten_seconds("bogacki-shampine", 0.1 * tolerance);
         CHECK(fine.energy <= coarse.energy / 5);
-        CHECK(fine.momentum <= coarse.momentum / 5);
     }
 }
 
-TEST_CASE("Dormand-Prince keeps energy and momentum closer still", "[dynamics][free_motion]") {
+TEST_CASE("Dormand-Prince keeps energy closer still", "[dynamics][free_motion]") {
     const Drift coarse = drift_after_ten_seconds("dormand-prince", 1e-4);
     const Drift fine = drift_after_ten_seconds("dormand-prince", 1e-6);
     CHECK(coarse.energy < 1e-4);
-    CHECK(coarse.momentum < 1e-4);
     CHECK(fine.energy < 1e-5);
-    CHECK(fine.momentum < 1e-5);
     CHECK(fine.energy <= coarse.energy / 8);
-    CHECK(fine.momentum <= coarse.momentum / 8);
 }
 
 TEST_CASE("muscles cannot move the centre of mass in empty space", "[dynamics][free_motion]") {

@@ -203,6 +203,32 @@ TEST_CASE("creatures far apart that are advanced as one move as if alone", "[dyn
     }
 }
 
+TEST_CASE("joined creatures keep their spin while they do not touch", "[dynamics][joined]") {
+    std::vector<BodyPlan> plans;
+    for (int i = 0; i < 3; ++i) {
+        plans.push_back(chain(3 + i, 1.0, 5.0 * i));
+        for (PlannedPart& part : plans.back().parts)
+            part.max_effort = 2.0;
+    }
+    Group group(plans, empty_space());
+    double spin[3] = {};
+    double gross[3] = {};
+    for (int tick = 0; tick < 300; ++tick) {
+        for (std::size_t i = 0; i < group.size(); ++i)
+            flail(group[i], plans[i], 2.0);
+        REQUIRE(group.run(kTestTick));
+        for (std::size_t i = 0; i < group.size(); ++i) {
+            const AngularMomentum momentum = angular_momentum_of(group[i], empty_space().density);
+            spin[i] = std::max(spin[i], std::fabs(momentum.sum));
+            gross[i] = std::max(gross[i], momentum.gross);
+        }
+    }
+    for (int i = 0; i < 3; ++i) {
+        CHECK(gross[i] > 1e-3);
+        CHECK(spin[i] < 1e-9 * gross[i]);
+    }
+}
+
 TEST_CASE("a scene goes back to the moment it marked", "[dynamics][joined]") {
     const BodyPlan plan = chain(3, 1.0, 0.0, 0.3);
     const auto scene = make_scene(plan, on_ground());

@@ -7,7 +7,7 @@
 #include "evolution/evolution.h"
 #include "evolution/individual/population_digest.h"
 #include "support/catch.h"
-#include "support/creatures.h"
+#include "support/cheaters.h"
 #include "support/fake_backend.h"
 
 #include <algorithm>
@@ -47,6 +47,7 @@ TEST_CASE("a generation's worlds differ a hair, the first is computed more finel
     CHECK(probes == probes_of(settings, 3, 8));
     CHECK(probes != probes_of(settings, 4, 8));
     std::set<double> gravities;
+    std::set<bool> uphill;
     for (std::size_t i = 0; i < probes.size(); ++i) {
         Genome creature = *test::crawler(kinds().creature.catalog);
         const double angle = creature.root_angle;
@@ -57,8 +58,25 @@ TEST_CASE("a generation's worlds differ a hair, the first is computed more finel
         CHECK(world.world.scene.contact_step ==
               settings.world.scene.contact_step * (i == 0 ? 0.5 : 1.0));
         gravities.insert(world.world.environment.gravity);
+        CHECK(std::abs(world.world.tilt) <= 2.0);
+        uphill.insert(world.world.tilt > 0.0);
     }
     CHECK(gravities.size() == 8);
+    CHECK(uphill.size() == 2);
+    ExperimentSettings water;
+    water.world.environment.has_ground = false;
+    Genome creature = *test::crawler(kinds().creature.catalog);
+    CHECK(probed_world(probes.front(), water, creature).world.tilt == 0.0);
+}
+
+TEST_CASE("ground that slopes to and fro carries nobody", "[evolution][confirmation]") {
+    const ExperimentSettings settings;
+    const GenomePtr wheel = test::wheel(kinds().creature.catalog);
+    for (const double tilt : {-2.0, 0.5, 2.0}) {
+        ExperimentSettings slope = settings;
+        slope.world.tilt = tilt;
+        CHECK(evaluate({.genome = wheel}, slope, kinds()).fitness < 0.02);
+    }
 }
 
 TEST_CASE("a trial in another world gives another score, the same every time",
@@ -197,6 +215,25 @@ TEST_CASE("the champion keeps its score in an accurate computation", "[evolution
     CHECK(champion_if(0.89, 0.91) < best);
     CHECK(champion_if(1.11, 1.0) < best);
     CHECK(champion_if(0.5, 0.5) == best);  // nobody keeps its score
+}
+
+TEST_CASE("a world in which a creature fails is worse for it than any score",
+          "[evolution][confirmation]") {
+    FakeBackend backend;
+    auto settings = of_twenty();
+    settings->goal = "seeking";
+    const double least = kinds().goals.find("seeking")->least_score;
+    REQUIRE(least < 0.0);
+    backend.fitness = [](const Genome& genome) { return -0.01 * test::total_length(genome); };
+    backend.in_probe = [&](double, const Probe&) { return least; };  // as of a trial that failed
+    const Evolution evolution = evolved(settings, backend, 1);
+    int confirmed = 0;
+    for (const IndividualPtr& one : evolution.population()) {
+        if (!tried_again(*one)) continue;
+        ++confirmed;
+        CHECK(one->result.fitness == least);
+    }
+    CHECK(confirmed > 0);
 }
 
 TEST_CASE("an audit that is interrupted names no champion", "[evolution][confirmation]") {

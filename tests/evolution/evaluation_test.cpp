@@ -39,6 +39,8 @@ TEST_CASE("overlapping bodies are rejected only if overlap is", "[evolution][eva
     CHECK(rejected.outcome == Outcome::kRejected);
     CHECK(rejected.fitness == 0.0);
     CHECK(rejected.reason.find("overlap") != std::string::npos);
+    settings.goal = "seeking";  // its scores may be negative
+    CHECK(judge(crossed_legs(), settings).fitness == -1.0);
     CHECK(judge(test::crawler(test::kind_catalog()), settings).outcome == Outcome::kCompleted);
 }
 

@@ -1,6 +1,8 @@
 #include "evolution/evolution.h"
 
+#include "evolution/backends/thread_pool_backend.h"
 #include "evolution/fields/setting_field.h"
+#include "evolution/settings/goal_defaults.h"
 #include "genome/founders/random_genome.h"
 #include "support/build_speed.h"
 #include "support/catch.h"
@@ -363,4 +365,29 @@ TEST_CASE("offspring name their parents, method and mutations", "[evolution]") {
         changed += one->mutations.empty() ? 0 : 1;
     }
     CHECK(changed > 0);
+}
+
+TEST_CASE("swimmers that become seekers are not replaced by creatures that cannot move",
+          "[evolution]") {
+    auto settings = small_settings(60);
+    settings->goal = "swimming";
+    adopt_defaults(*settings, *kinds().goals.find("swimming"));
+    settings->world.trial.duration = 2.0;
+    const auto backend = make_thread_pool_backend(kinds(), 2);
+    Evolution evolution(settings, kinds());
+    run(evolution, *backend, 5);
+    ExperimentSettings seeking = evolution.settings();
+    seeking.goal = "seeking";
+    adopt_defaults(seeking, *kinds().goals.find("seeking"));
+    seeking.world.trial.duration = 5.0;
+    seeking.world.trial.trials = 2;
+    evolution.replace_settings(std::make_shared<const ExperimentSettings>(seeking));
+    evolution.breed();
+    run(evolution, *backend, 5);
+    const auto& population = evolution.population();
+    const auto rejected = std::count_if(
+        population.begin(), population.end(),
+        [](const IndividualPtr& one) { return one->result.outcome == Outcome::kRejected; });
+    CHECK(rejected < 12);
+    CHECK(population.front()->result.outcome == Outcome::kCompleted);
 }

@@ -73,9 +73,10 @@ TEST_CASE("limits hold among creatures whose trial was terminated early, which s
         terminated.result.outcome = Outcome::kStoppedEarly;
         ranked[place] = std::make_shared<const Individual>(terminated);
     };
-    terminate(1);
-    CHECK(truncated(ranked, half_of_ten()) == Kept{0, 2, 3, 4, 5});
-    for (std::size_t place = 2; place < ranked.size(); ++place)
+    for (std::size_t place = 6; place < ranked.size(); ++place)
+        terminate(place);
+    CHECK(truncated(ranked, half_of_ten()) == Kept{0, 1, 3, 4, 5});
+    for (std::size_t place = 1; place < ranked.size(); ++place)
         terminate(place);
     CHECK(truncated(ranked, half_of_ten()) == Kept{0, 1, 2, 3, 4});
 }

@@ -109,7 +109,7 @@ TEST_CASE("settings changed by hand keep the opponents", "[evolution][opponents]
     CHECK(evolution.settings().world.opponents.genomes.empty());
 }
 
-TEST_CASE("a contest needs its cube, and no early termination", "[evolution][opponents]") {
+TEST_CASE("a contest needs its cube", "[evolution][opponents]") {
     auto settings = contest();
     CHECK(check_settings(*settings, kinds()));
     settings->world.trial.has_cube = false;
@@ -117,10 +117,4 @@ TEST_CASE("a contest needs its cube, and no early termination", "[evolution][opp
     REQUIRE_FALSE(missing);
     CHECK(missing.error().message ==
           "goal \"competition\" has no cube to fight for: set [trial] cube = true");
-    settings = contest();
-    settings->terminate_early = true;
-    const Status early = check_settings(*settings, kinds());
-    REQUIRE_FALSE(early);
-    CHECK(early.error().message.find("[run] stop-hopeless: not with [goal] behavior "
-                                     "\"competition\"") == 0);
 }

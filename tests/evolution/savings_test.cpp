@@ -103,15 +103,18 @@ TEST_CASE("terminating trials early changes no survivor of any generation",
         settings->selection.line_share = 1.0;
         settings->selection.plan_copies = 0;
     }
-    const History full = evolve(settings);
-    auto hasty = std::make_shared<ExperimentSettings>(*settings);
-    hasty->terminate_early = true;
-    const History saved = evolve(hasty);
+    CHECK(settings->terminate_early);  // by default
+    const History saved = evolve(settings);
+    auto patient = std::make_shared<ExperimentSettings>(*settings);
+    patient->terminate_early = false;
+    const History full = evolve(patient);
     int given_up = 0;
     int same = 0;
     for (std::size_t i = 0; i < kGenerations; ++i) {
         same += saved.survivors[i] == full.survivors[i] ? 1 : 0;
         given_up += saved.statistics[i].given_up;
+        CHECK(saved.statistics[i].best == full.statistics[i].best);
+        CHECK(saved.statistics[i].evaluations == full.statistics[i].evaluations);
         CHECK(full.statistics[i].given_up == 0);
     }
     CHECK(same == kGenerations);
@@ -204,8 +207,7 @@ TEST_CASE("until thirty doomed trials were finished, all of them are", "[evoluti
     CHECK_FALSE(TerminationAudit{299, 1}.proven());
     CHECK(TerminationAudit{300, 1}.proven());
     CHECK_FALSE(TerminationAudit{300, 2}.proven());
-    auto settings = long_walks();
-    settings->terminate_early = true;
+    const auto settings = long_walks();
     const auto backend = make_thread_pool_backend(kinds(), 2);
     Evolution evolution(settings, kinds());
     EvaluationProgress progress;

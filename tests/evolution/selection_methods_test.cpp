@@ -93,20 +93,58 @@ TEST_CASE("every selection keeps the best, breeds from given weights and fills i
     }
 }
 
-TEST_CASE("no selection lets disqualified creatures in while there are others",
+TEST_CASE("no selection lets creatures in without a completed trial while there are others",
           "[evolution][selection]") {
-    const auto ranked = ranked_by(60, falling, [](Individual& individual, std::size_t place) {
-        if (place < 40) return;
-        individual.result.outcome = Outcome::kDisqualified;
-        individual.body_born = 7;
-        individual.result.mass = 1e3;
-    });
+    const auto outcome = GENERATE(Outcome::kStoppedEarly, Outcome::kRejected,
+                                  Outcome::kDisqualified, Outcome::kDiverged);
+    // Scores of completed trials are negative; the others have 0 or more.
+    auto ranked = ranked_by(
+        60, [](double place) { return -1.0 - place; },
+        [&](Individual& individual, std::size_t place) {
+            if (place < 40) return;
+            individual.result.outcome = outcome;
+            individual.result.fitness = 60.0 - static_cast<double>(place);
+            individual.body_born = 7;
+            individual.result.mass = 1e3;
+        });
+    const auto before = ranked;
+    std::reverse(ranked.begin(), ranked.end());
+    std::sort(ranked.begin(), ranked.end(),
+              [](const auto& a, const auto& b) { return better(*a, *b); });
+    CHECK(ranked == before);
     for (const SelectionKind& kind : test::kinds().selections.all()) {
         const auto result = select(ranked, with(kind.id, 30));
         CAPTURE(kind.id);
         CHECK(result.survivors.back() < 40);
         for (const std::size_t parent : result.first_parents)
             CHECK(parent < 40);
+        for (std::size_t place = 40; place < 60; ++place)
+            CHECK(result.partner_weights[place] == 0.0);
+    }
+}
+
+TEST_CASE("novelty counts a completed trial as better than any other", "[evolution][selection]") {
+    auto settings = with("novelty", 3);
+    settings.selection.own["novelty-neighbors"] = 2;
+    SelectionMemory memory;
+    const auto alike = [](Individual& individual, std::size_t place) {
+        individual.result.mass = place == 2 ? 2.0 : 1.0;
+    };
+    // One in the archive was rejected, as files of older versions may have it.
+    const auto archived = ranked_by(
+        2, [](double) { return 0.0; },
+        [](Individual& individual, std::size_t) {
+            individual.uid += 100;
+            individual.result.mass = 1.0;
+            individual.result.outcome = Outcome::kRejected;
+        });
+    memory.archive = archived;
+    const auto ranked = ranked_by(
+        3, [](double place) { return -0.1 - 0.1 * place; }, alike);
+    CHECK(survives(select(ranked, settings, memory), 0));
+    for (const IndividualPtr& novel : memory.archive) {
+        const bool old = std::find(archived.begin(), archived.end(), novel) != archived.end();
+        CHECK((old || novel->result.outcome == Outcome::kCompleted));
     }
 }
 

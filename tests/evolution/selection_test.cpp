@@ -1,5 +1,6 @@
 #include "evolution/selections/selection.h"
 
+#include "evolution/selections/survival.h"
 #include "support/catch.h"
 #include "support/individuals.h"
 
@@ -24,6 +25,13 @@ SelectionResult truncate(const std::vector<IndividualPtr>& ranked,
     RandomStream stream(seed);
     SelectionMemory memory;
     return builtin_selections().find("truncation")->select(ranked, settings, memory, stream);
+}
+
+EvaluationResult scored(double fitness, Outcome outcome) {
+    EvaluationResult result;
+    result.fitness = fitness;
+    result.outcome = outcome;
+    return result;
 }
 
 ExperimentSettings of_size(int size) {
@@ -118,4 +126,35 @@ TEST_CASE("the order of merit is total and puts invalid creatures last", "[evolu
     CHECK_FALSE(better(*all[2], *all[1]));
     CHECK(better(*all[0], cheat));
     CHECK_FALSE(better(cheat, *all[0]));
+}
+
+TEST_CASE("whoever came further in its trial is fitter, whatever the scores", "[evolution]") {
+    const Outcome order[] = {Outcome::kCompleted, Outcome::kStoppedEarly, Outcome::kRejected,
+                             Outcome::kDisqualified};
+    for (int near = 0; near < 4; ++near) {
+        for (int far = near + 1; far < 4; ++far) {
+            CAPTURE(near, far);
+            CHECK(fitter(scored(-5.0, order[near]), scored(5.0, order[far])));
+            CHECK_FALSE(fitter(scored(5.0, order[far]), scored(-5.0, order[near])));
+        }
+    }
+    CHECK(fitter(scored(-1.0, Outcome::kCompleted), scored(-2.0, Outcome::kCompleted)));
+    CHECK_FALSE(fitter(scored(-1.0, Outcome::kCompleted), scored(-1.0, Outcome::kCompleted)));
+}
+
+TEST_CASE("rejected creatures never have more weight than completed ones of negative score",
+          "[evolution]") {
+    auto ranked = test::individuals({-0.2, -0.6, 0.0, 0.0});
+    for (std::size_t i = 2; i < 4; ++i) {
+        Individual rejected = *ranked[i];
+        rejected.result.outcome = Outcome::kRejected;
+        ranked[i] = std::make_shared<const Individual>(rejected);
+    }
+    const std::vector<std::size_t> all = {0, 1, 2, 3};
+    CHECK(leads(ranked, all) == std::vector<double>{1.0, 0.0, 0.0, 0.0});
+    CHECK(leads(ranked, std::vector<std::size_t>{1, 2}) == std::vector<double>{1.0, 0.0});
+    CHECK(leads(ranked, std::vector<std::size_t>{2, 3}) == std::vector<double>{1.0, 1.0});
+    ExperimentSettings settings = of_size(4);
+    settings.population.survival = 0.5;
+    CHECK(truncate(ranked, settings).survivors == std::vector<std::size_t>{0, 1});
 }

@@ -62,6 +62,23 @@ TEST_CASE("only diverged and disqualified creatures count as invalid", "[evoluti
     CHECK(summarize(all, 0, 4).invalid_share == Approx(0.5));
 }
 
+TEST_CASE("scores are summarized of those that completed their trials", "[evolution][statistics]") {
+    auto all = test::individuals({-0.1, -0.2, -0.3, 0.0, 0.0, 0.0, 0.0});
+    for (std::size_t i = 3; i < all.size(); ++i) {
+        Individual changed = *all[i];
+        changed.result.outcome = i < 5 ? Outcome::kStoppedEarly : Outcome::kRejected;
+        all[i] = std::make_shared<const Individual>(changed);
+    }
+    const GenerationStatistics summary = summarize(all, 0, 7);
+    CHECK(summary.size == 7);
+    CHECK(summary.best == -0.1);
+    CHECK(summary.median == -0.2);
+    CHECK(summary.lower == -0.3);
+    CHECK(summary.mean == Approx(-0.2));
+    const auto none = std::span(all).last(2);
+    CHECK(summarize(none, 0, 2).mean == 0.0);
+}
+
 TEST_CASE("fifteen generations without a rise of 1 percent are stagnation",
           "[evolution][statistics]") {
     std::vector<GenerationStatistics> history;

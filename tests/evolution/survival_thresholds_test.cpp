@@ -82,6 +82,28 @@ TEST_CASE("no score is known without survivors, nor where the least fit matter",
     CHECK_FALSE(SurvivalThresholds(survivors, ten_survivors(), map).of(1, 1));
 }
 
+TEST_CASE("no score is known while a survivor did not complete its trial, or with several trials",
+          "[evolution][termination]") {
+    auto survivors = ranking({1, 2, 3}, {1, 2, 3});
+    CHECK(SurvivalThresholds(survivors, ten_survivors(), truncation()).of(1, 1));
+    ExperimentSettings several = ten_survivors();
+    several.world.trial.trials = 2;
+    CHECK_FALSE(SurvivalThresholds(survivors, several, truncation()).of(1, 1));
+    Individual rejected = *survivors.back();
+    rejected.result.outcome = Outcome::kRejected;
+    survivors.back() = std::make_shared<const Individual>(rejected);
+    CHECK_FALSE(SurvivalThresholds(survivors, ten_survivors(), truncation()).of(1, 1));
+}
+
+TEST_CASE("a score to survive is below the worst survivor's, also where that is negative",
+          "[evolution][termination]") {
+    auto survivors = ranking({1, 2, 3}, {1, 2, 3});
+    Individual worst = *survivors.back();
+    worst.result.fitness = -0.8;
+    survivors.back() = std::make_shared<const Individual>(worst);
+    CHECK(SurvivalThresholds(survivors, ten_survivors(), truncation()).of(9, 9) == Approx(-1.2));
+}
+
 TEST_CASE("limits that were dropped for want of others do not count", "[evolution][termination]") {
     const auto survivors = ranking({1, 1, 1, 1}, {1, 1, 1, 1});
     CHECK(SurvivalThresholds(survivors, ten_survivors(), truncation()).of(1, 1) == 0.5);

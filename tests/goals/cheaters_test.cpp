@@ -10,6 +10,7 @@
 #include "support/kinds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -21,10 +22,14 @@ namespace {
 
 const std::filesystem::path kSamples = CAMBRIAN_SOURCE_DIR "/assets/creatures";
 
-ExperimentSettings world_for(const GoalKind& goal) {
+constexpr double kSlope = 8.0;  // degrees
+
+// Returns the goal's world, with ground that falls to the right by an angle in degrees.
+ExperimentSettings world_for(const GoalKind& goal, double slope = 0.0) {
     ExperimentSettings settings;
     settings.goal = goal.id;
     settings.world.environment = goal.default_environment();
+    settings.world.environment.gravity_direction += slope;
     return settings;
 }
 
@@ -37,6 +42,9 @@ struct Deed {
     double way = 0.0;        // m, displacement of its centre of mass from start to end
     double walked = 0.0;     // m, path length of its centre of mass
     double shaking = 0.0;    // Hz, of the joint with the highest frequency
+    double settling = 0.0;   // m, displacement of its centre of mass before the test
+    double growth = 0.0;     // its length in its length at rest
+    double width = 0.0;      // greatest width or height of its bounds in its length
 };
 
 Deed deed_of(const GenomePtr& genome, const TrialWorld& world) {
@@ -44,14 +52,19 @@ Deed deed_of(const GenomePtr& genome, const TrialWorld& world) {
                                   express(*genome, test::kinds().creature, {}, world.scene)),
                               test::kinds().creature, world);
     REQUIRE(trial);
+    const Vec3 born = (*trial)->scene().center_of_mass();
     while ((*trial)->settling())
         (*trial)->tick();
     Deed deed;
+    deed.settling = std::fabs((*trial)->scene().center_of_mass().x() - born.x());
     const Bounds first = (*trial)->scene().bounds();
     const Vec3 start = (*trial)->scene().center_of_mass();
     Vec3 before = start;
+    double side = 0.0;
     while ((*trial)->tick()) {
         const Bounds bounds = (*trial)->scene().bounds();
+        const Vec3 sides = bounds.high - bounds.low;
+        side = std::max({side, sides.x(), sides.y()});
         const Vec3 center = (*trial)->scene().center_of_mass();
         deed.clearance = std::max(deed.clearance, bounds.low.y());
         deed.rise = std::max(deed.rise, center.y() - start.y());
@@ -64,6 +77,8 @@ Deed deed_of(const GenomePtr& genome, const TrialWorld& world) {
     REQUIRE((*trial)->record().outcome == Outcome::kCompleted);
     deed.way = (before - start).norm();
     deed.shaking = (*trial)->record().reversal_rate;
+    deed.growth = (*trial)->record().body_length / (*trial)->phenotype().rest_length();
+    deed.width = side / (*trial)->record().body_length;
     return deed;
 }
 
@@ -72,6 +87,7 @@ struct Cheater {
     const char* goal;  // goal in whose world it performs its trick
     std::function<GenomePtr(const KindCatalog&)> build;
     std::function<bool(const Deed&)> plays_its_trick;
+    double slope = 0.0;  // degrees, of the ground there
 };
 
 std::vector<Cheater> zoo() {
@@ -88,6 +104,14 @@ std::vector<Cheater> zoo() {
         {"circler", "swimming", circler,
          [](const Deed& d) { return d.walked > 0.5 && d.way < 0.5 * d.walked; }},
         {"glider through water", "swimming", drifter, [](const Deed& d) { return d.way > 0.05; }},
+        {"glider across the axes", "swimming", oblique_drifter,
+         [](const Deed& d) { return d.way > 0.05 && d.width < 0.9; }},
+        {"unfolder", "seeking", unfolder, [](const Deed& d) { return d.growth > 1.8; }},
+        {"faller while settling", "competition", leaning_tower,
+         [](const Deed& d) { return d.settling > 0.3 && d.way < 0.05; }},
+        {"still plate", "competition", still_plate, [](const Deed& d) { return d.walked < 0.05; }},
+        {"still tower", "competition", still_tower, [](const Deed& d) { return d.walked < 0.05; }},
+        {"wheel", "walking", wheel, [](const Deed& d) { return d.way > 10.0; }, kSlope},
     };
     for (const double delay : {1.0, 2.9, 4.5, 6.0, 7.5, 9.0, 10.5, 12.0, 13.5}) {
         const auto at = [&](GenomePtr (*build)(const KindCatalog&, double)) {
@@ -132,10 +156,10 @@ std::map<std::string, double> least_honest_scores() {
 TEST_CASE("every cheater of the zoo plays its trick", "[goals][cheaters]") {
     for (const Cheater& cheater : zoo()) {
         const GoalKind& goal = *test::kinds().goals.find(cheater.goal);
-        const Deed deed =
-            deed_of(cheater.build(test::kinds().creature.catalog), world_for(goal).world);
+        const Deed deed = deed_of(cheater.build(test::kinds().creature.catalog),
+                                  world_for(goal, cheater.slope).world);
         CAPTURE(cheater.name, deed.clearance, deed.rise, deed.fall, deed.edge, deed.way,
-                deed.walked, deed.shaking);
+                deed.walked, deed.shaking, deed.settling, deed.growth, deed.width);
         CHECK(cheater.plays_its_trick(deed));
     }
 }
@@ -155,12 +179,24 @@ TEST_CASE("in every goal, every cheater scores far below every honest sample",
     }
 }
 
-TEST_CASE("no cheater beats an honest walker in a contest", "[goals][cheaters]") {
-    const auto walker = load_creature(kSamples / "biped.creature.json", test::kinds());
-    REQUIRE(walker);
+TEST_CASE("no cheater scores on a slope either", "[goals][cheaters]") {
+    const auto honest = least_honest_scores();
+    for (const char* id : {"walking", "jumping"}) {
+        const GoalKind& goal = *test::kinds().goals.find(id);
+        for (const Cheater& cheater : zoo()) {
+            CAPTURE(id, cheater.name);
+            CHECK(score(cheater.build(test::kinds().creature.catalog), world_for(goal, kSlope)) <
+                  0.5 * honest.at(id));
+        }
+    }
+}
+
+TEST_CASE("no cheater beats an honest contestant", "[goals][cheaters]") {
+    const auto porter = load_creature(kSamples / "porter.creature.json", test::kinds());
+    REQUIRE(porter);
     ExperimentSettings settings = world_for(*test::kinds().goals.find("competition"));
     settings.world.trial.has_cube = true;
-    settings.world.opponents.genomes = {walker->creature.individual->genome};
+    settings.world.opponents.genomes = {porter->creature.individual->genome};
     for (const Cheater& cheater : zoo()) {
         CAPTURE(cheater.name);
         CHECK(score(cheater.build(test::kinds().creature.catalog), settings) < 1.0);

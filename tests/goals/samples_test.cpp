@@ -1,10 +1,14 @@
-// The evolved samples of seeking and of flying do what their goals ask for.
+// The evolved samples do what their goals ask for, and earn it by their muscles.
+#include "core/sample_statistics.h"
 #include "evolution/evaluation/evaluation.h"
 #include "evolution/evaluation/trials.h"
+#include "genome/founders/random_genome.h"
+#include "math/angle.h"
 #include "persist/creature/creature_file.h"
 #include "support/catch.h"
 #include "support/kinds.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -32,7 +36,81 @@ std::vector<Sample> samples_of(const std::string& goal) {
     return samples;
 }
 
+double score_of(const GenomePtr& genome, const ExperimentSettings& settings) {
+    return evaluate_in_trials({.genome = genome, .trial_seed = trial_seed(settings)}, settings,
+                              test::kinds())
+        .fitness;
+}
+
+double turned_score(const Sample& sample, double angle) {
+    Genome genome = *sample.genome;
+    genome.root_angle = wrap_angle(genome.root_angle + angle);
+    return score_of(std::make_shared<const Genome>(std::move(genome)), sample.settings);
+}
+
 }  // namespace
+
+TEST_CASE("a swimmer's score does not depend on where it heads at first", "[goals][samples]") {
+    const auto swimmers = samples_of("swimming");
+    CHECK(swimmers.size() >= 6);
+    for (const Sample& swimmer : swimmers) {
+        const double score = turned_score(swimmer, 0.0);
+        for (const double angle : {0.3, 0.8, 1.4, 2.5, -1.1}) {
+            CAPTURE(swimmer.name, angle);
+            CHECK(turned_score(swimmer, angle) == Approx(score).epsilon(0.01));
+        }
+    }
+}
+
+TEST_CASE("samples walk on ground that slopes a little, up and down", "[goals][samples]") {
+    for (const char* goal : {"walking", "jumping"}) {
+        const auto samples = samples_of(goal);
+        CHECK(samples.size() >= 3);
+        for (const Sample& sample : samples) {
+            CAPTURE(sample.name);
+            const double level = score_of(sample.genome, sample.settings);
+            const auto scores = scores_in(probes_of(sample.settings, 0, 11), sample.genome,
+                                          sample.settings, test::kinds());
+            CHECK(median(scores) > 0.7 * level);
+            CHECK(*std::min_element(scores.begin(), scores.end()) > 0.4 * level);
+        }
+    }
+}
+
+TEST_CASE("on no slope a sample keeps a twentieth of its score without muscles",
+          "[goals][samples]") {
+    for (const char* goal : {"walking", "jumping"}) {
+        for (Sample& sample : samples_of(goal)) {
+            const double honest = score_of(sample.genome, sample.settings);
+            sample.settings.world.scene.muscle_strength = 0.0;
+            for (const double slope : {-15.0, -8.0, -2.0, 0.0, 2.0, 8.0, 15.0}) {
+                CAPTURE(sample.name, slope);
+                sample.settings.world.environment.gravity_direction = -90.0 + slope;
+                CHECK(score_of(sample.genome, sample.settings) < 0.05 * honest);
+            }
+        }
+    }
+}
+
+TEST_CASE("in no world of ground random creatures score without muscles", "[goals][samples]") {
+    RandomStream stream(stream_seed({58, 4}));
+    for (const char* goal : {"walking", "jumping"}) {
+        ExperimentSettings settings;
+        settings.goal = goal;
+        settings.world.scene.muscle_strength = 0.0;
+        for (int i = 0; i < 60; ++i) {
+            Environment& world = settings.world.environment;
+            world.gravity_direction = -90.0 + stream.uniform(-15.0, 15.0);
+            world.gravity = stream.uniform(1.0, 20.0);
+            world.friction = stream.uniform(0.1, 1.5);
+            world.elasticity = stream.uniform(0.0, 0.6);
+            const auto genome = std::make_shared<const Genome>(
+                random_genome(settings.founders, test::kinds().creature.catalog, stream));
+            CAPTURE(goal, world.gravity_direction, world.gravity, world.friction);
+            CHECK(score_of(genome, settings) < 0.02);
+        }
+    }
+}
 
 TEST_CASE("samples seek the light on ways that no generation saw, and not in the dark",
           "[goals][samples]") {

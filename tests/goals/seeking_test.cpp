@@ -19,19 +19,19 @@ const GoalKind& seeking() {
     return *test::kinds().goals.find("seeking");
 }
 
-// The velocity of a point, in rest lengths a second, at a place with the light at another.
+// The velocity of a point, in body lengths a second, at a place with the light at another.
 using Script = std::function<Vec3(const Vec3& at, const Vec3& light)>;
 
-// What the legs of one trial come to; a rest length is 1 m.
+// What the legs of one trial come to; a body length is 1 m.
 std::vector<double> shares_of(const Script& script, const Environment& environment,
                               const LightDraw& draw) {
-    LightSource light(environment, draw, 1.0);
+    LightSource light(environment, draw);
     TrialRecord record;
-    record.rest_length = 1.0;
+    record.body_length = 1.0;
     Vec3 at = environment.has_ground ? Vec3(0.0, 0.3, 0.0) : Vec3(Vec3::Zero());
     for (std::uint64_t tick = 0; tick < 5 * light.leg_ticks(); ++tick) {
-        light.move(tick, at);
-        if (tick % light.leg_ticks() == 0) record.legs.begin((light.place() - at).norm());
+        light.move(tick, at, 1.0);
+        if (tick % light.leg_ticks() == 0) record.legs.begin((light.place() - at).norm(), 1.0);
         at += kBrainTick * script(at, light.place());
         record.legs.watch((light.place() - at).norm());
     }
@@ -65,11 +65,18 @@ ExperimentSettings seeking_settings() {
 
 }  // namespace
 
-TEST_CASE("running to the light at a rest length a second scores nearly 1", "[goals][seeking]") {
+TEST_CASE("running to the light at a body length a second scores nearly 1", "[goals][seeking]") {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         CHECK(score_of(run_to_light, false, seed) >= 0.85);
         CHECK(score_of(run_to_light, true, seed) >= 0.85);
     }
+}
+
+TEST_CASE("fleeing from the light in every leg has the least score there is", "[goals][seeking]") {
+    const Script flee = [](const Vec3& at, const Vec3& light) {
+        return Vec3(-20.0 * run_to_light(at, light));
+    };
+    CHECK(score_of(flee, false, 1) == seeking().least_score);
 }
 
 TEST_CASE("always going right costs far more than it earns", "[goals][seeking]") {
@@ -104,8 +111,8 @@ TEST_CASE("standing still scores 0, walking about blindly next to nothing", "[go
 
 TEST_CASE("passing the light pays where the leg ends, not on the way", "[goals][seeking]") {
     TrialRecord record;
-    record.rest_length = 1.0;
-    record.legs.begin(4.0);
+    record.body_length = 1.0;
+    record.legs.begin(4.0, 1.0);
     record.legs.watch(0.1);
     record.legs.watch(6.0);
     CHECK(seeking().score(record).value == Approx(-0.5));
@@ -113,11 +120,22 @@ TEST_CASE("passing the light pays where the leg ends, not on the way", "[goals][
     CHECK(score.terms[1].value == 1.0);
 }
 
+TEST_CASE("a body that was shorter when a leg began had a shorter way", "[goals][seeking]") {
+    TrialRecord record;
+    record.body_length = 2.0;
+    record.legs.begin(4.0, 1.0);
+    record.legs.watch(0.0);
+    CHECK(seeking().score(record).value == Approx(0.5));
+    record.legs.begin(8.0, 2.0);
+    record.legs.watch(0.0);
+    CHECK(seeking().score(record).value == Approx(0.5 * 0.75 + 0.5 * 0.5));
+}
+
 TEST_CASE("a trial without legs and one that begins at the light score 0", "[goals][seeking]") {
     TrialRecord record;
-    record.rest_length = 1.0;
+    record.body_length = 1.0;
     CHECK(seeking().score(record).value == 0.0);
-    record.legs.begin(0.0);
+    record.legs.begin(0.0, 1.0);
     record.legs.watch(2.0);
     CHECK(seeking().score(record).value == 0.0);
 }

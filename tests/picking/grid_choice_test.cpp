@@ -217,7 +217,7 @@ TEST_CASE("dead, equal and invalid candidates are distinguished from living ones
                                   shared(creature(9, 5.0, 1.0))};
     using enum CandidateGrade;
     CHECK(grade_candidates(candidates, {9}) ==
-          std::vector<CandidateGrade>{kStatic, kAlive, kStatic, kInvalid, kTwin, kTwin});
+          std::vector<CandidateGrade>{kStatic, kAlive, kRejected, kInvalid, kTwin, kTwin});
 }
 
 TEST_CASE("badges mark the creatures with extreme measures", "[picking][hints]") {
@@ -230,4 +230,14 @@ TEST_CASE("badges mark the creatures with extreme measures", "[picking][hints]")
     CHECK_FALSE(grid_hints({}).fastest);
     const Creatures alike = {shared(creature(1, 0.0, 0.0)), shared(creature(2, 0.0, 0.0))};
     CHECK_FALSE(grid_hints(alike).oddest);
+    for (const Outcome outcome : {Outcome::kDisqualified, Outcome::kStoppedEarly}) {
+        Individual odd = creature(5, 9.0, 9.0);  // by a motion that does not count
+        odd.result.outcome = outcome;
+        Creatures more = grid;
+        more.push_back(shared(odd));
+        const GridHints others = grid_hints(more);
+        CHECK(others.fastest == 1U);
+        CHECK(others.highest == 2U);
+        CHECK(others.oddest != 4U);
+    }
 }

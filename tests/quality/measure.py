@@ -120,8 +120,8 @@ def judge_lines(table, rows):
 
 def judge_haste(table, rows):
     """Returns the time saved compared with the same runs without early termination."""
-    hasty = [row for row in rows if row["arm"] == "hasty"]
-    patient = [row for row in rows if row["arm"] == DEFAULTS]
+    hasty = [row for row in rows if row["arm"] == DEFAULTS]
+    patient = [row for row in rows if row["arm"] == "patient"]
     spent = [sum(1 - float(row["time_saved"]) for row in some) / len(some)
              for some in (hasty, patient)]
     audited = sum(int(row["audited"]) for row in hasty)
@@ -145,7 +145,7 @@ def main():
     for unknown in set(options.worlds) - set(WORLDS):
         sys.exit(f"unknown world {unknown}; known are {', '.join(WORLDS)}")
     rows = compare(options, "arms", options.trials,
-                   map(settings_of, ["one-line", DEFAULTS, "hasty"]))
+                   map(settings_of, ["one-line", DEFAULTS, "patient"]))
     random = compare(options, "random", options.random_trials,
                      map(settings_of, [DEFAULTS, "plain-random"]), "--random-search")
     table = Table()

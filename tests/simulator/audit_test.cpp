@@ -19,6 +19,16 @@ TEST_CASE("an audit is suspect above 5 % unexplained or 10 % given energy", "[si
     CHECK(judge(audit) == AuditVerdict::kSuspect);
 }
 
+TEST_CASE("an audit is suspect if a body spins itself up", "[simulator][audit]") {
+    SceneAudit audit;
+    audit.energy_scale = 1.0;
+    audit.spin_scale = 4.0;
+    audit.spin_gained = 0.0039;
+    CHECK(judge(audit) == AuditVerdict::kClean);
+    audit.spin_gained = 0.0041;
+    CHECK(judge(audit) == AuditVerdict::kSuspect);
+}
+
 TEST_CASE("a trial whose motion could not be computed is invalid", "[simulator][audit]") {
     TrialRecord record;
     record.audit.energy_scale = 1.0;

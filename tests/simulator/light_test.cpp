@@ -13,7 +13,7 @@ using namespace cambrian;
 
 namespace {
 
-constexpr double kRestLength = 0.7;  // m
+constexpr double kLength = 0.7;  // m
 
 Environment lit(const std::string& motion, bool has_ground = false) {
     Environment environment;
@@ -27,10 +27,10 @@ Environment lit(const std::string& motion, bool has_ground = false) {
 
 // Places at the start of each leg, seen by a creature that stays at a point.
 std::vector<Vec3> jumps(const Environment& environment, const LightDraw& draw, const Vec3& center) {
-    LightSource light(environment, draw, kRestLength);
+    LightSource light(environment, draw);
     std::vector<Vec3> places;
     for (std::uint64_t tick = 0; tick < 5 * light.leg_ticks(); ++tick) {
-        light.move(tick, center);
+        light.move(tick, center, kLength);
         if (tick % light.leg_ticks() == 0) places.push_back(light.place());
         CHECK(light.place() == places.back());
     }
@@ -62,7 +62,7 @@ TEST_CASE("light falls with the square of the distance over its reach", "[simula
     Environment environment = lit("still");
     environment.light_brightness = 3.0;
     environment.light_reach = 2.0;
-    const LightSource light(environment, {}, kRestLength);
+    const LightSource light(environment, {});
     const Vec3 place = light.place();
     CHECK(place == Vec3(3.0, 1.0, 0.0));
     struct Row {
@@ -76,9 +76,9 @@ TEST_CASE("light falls with the square of the distance over its reach", "[simula
     CHECK(light.at(place).intensity == 3.0);
     CHECK(light.at(place).direction == Vec3::Zero());
     environment.light_brightness = 0.0;
-    CHECK(LightSource(environment, {}, kRestLength).at(Vec3::Zero()).direction == Vec3::Zero());
+    CHECK(LightSource(environment, {}).at(Vec3::Zero()).direction == Vec3::Zero());
     environment.has_light = false;
-    CHECK(LightSource(environment, {}, kRestLength).at(Vec3::Zero()).intensity == 0.0);
+    CHECK(LightSource(environment, {}).at(Vec3::Zero()).intensity == 0.0);
 }
 
 TEST_CASE("jumps are as far and as frequent as settings say", "[simulator][light]") {
@@ -86,10 +86,10 @@ TEST_CASE("jumps are as far and as frequent as settings say", "[simulator][light
     environment.light_nearest = 1.0;
     environment.light_farthest = 2.0;
     environment.light_period = 10.0;
-    CHECK(LightSource(environment, {}, kRestLength).leg_ticks() == 600);
+    CHECK(LightSource(environment, {}).leg_ticks() == 600);
     for (const Vec3& place : jumps(environment, {7, 0}, Vec3::Zero())) {
-        CHECK(place.norm() / kRestLength >= 1.0 - 1e-12);
-        CHECK(place.norm() / kRestLength <= 2.0 + 1e-12);
+        CHECK(place.norm() / kLength >= 1.0 - 1e-12);
+        CHECK(place.norm() / kLength <= 2.0 + 1e-12);
     }
     const TrialRecord record =
         run(test::flapper(test::creature_kinds().catalog, 1.0, 0.5), environment);
@@ -103,16 +103,16 @@ TEST_CASE("jumps are 3 to 6 rest lengths from where the creature is", "[simulato
     const Vec3 center(8.0, 2.0, 0.0);
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
         for (const Vec3& place : jumps(lit("jumping"), {seed, 0}, center)) {
-            const double distance = (place - center).norm() / kRestLength;
+            const double distance = (place - center).norm() / kLength;
             CHECK(distance >= 3.0 - 1e-12);
             CHECK(distance <= 6.0 + 1e-12);
             distances.insert(distance);
         }
         for (const Vec3& place : jumps(lit("jumping", true), {seed, 0}, center)) {
-            const double across = std::fabs(place.x() - center.x()) / kRestLength;
+            const double across = std::fabs(place.x() - center.x()) / kLength;
             CHECK(across >= 3.0 - 1e-12);
             CHECK(across <= 6.0 + 1e-12);
-            CHECK(place.y() == 0.3 * kRestLength);
+            CHECK(place.y() == 0.3 * kLength);
         }
     }
     CHECK(distances.size() == 250);
@@ -141,13 +141,13 @@ TEST_CASE("a light that wanders stays in its box and above ground", "[simulator]
     for (const bool has_ground : {false, true}) {
         Environment environment = lit("wandering", has_ground);
         environment.light_range = 1.5;
-        LightSource light(environment, {7, 0}, kRestLength);
-        LightSource other(environment, {8, 0}, kRestLength);
+        LightSource light(environment, {7, 0});
+        LightSource other(environment, {8, 0});
         double way = 0.0;
         for (std::uint64_t tick = 0; tick < 6000; ++tick) {
             const Vec3 before = light.place();
-            light.move(tick, Vec3::Zero());
-            other.move(tick, Vec3::Zero());
+            light.move(tick, Vec3::Zero(), kLength);
+            other.move(tick, Vec3::Zero(), kLength);
             way += (light.place() - before).norm();
             REQUIRE(std::fabs(light.place().x() - 3.0) <= 1.5);
             REQUIRE(std::fabs(light.place().y() - 1.0) <= 1.5);
@@ -159,16 +159,16 @@ TEST_CASE("a light that wanders stays in its box and above ground", "[simulator]
     }
     Environment fixed = lit("wandering");
     fixed.light_range = 0.0;
-    LightSource light(fixed, {7, 0}, kRestLength);
-    light.move(0, Vec3::Zero());
+    LightSource light(fixed, {7, 0});
+    light.move(0, Vec3::Zero(), kLength);
     CHECK(light.place() == Vec3(3.0, 1.0, 0.0));
 }
 
 TEST_CASE("what is changed by hand moves the light there", "[simulator][light]") {
     Environment environment = lit("wandering");
-    LightSource light(environment, {7, 0}, kRestLength);
+    LightSource light(environment, {7, 0});
     for (std::uint64_t tick = 0; tick < 60; ++tick)
-        light.move(tick, Vec3::Zero());
+        light.move(tick, Vec3::Zero(), kLength);
     const Vec3 wandered = light.place();
     environment.gravity = 1.0;
     light.set_environment(environment);

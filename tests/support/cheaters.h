@@ -2,6 +2,7 @@
 
 // Hand-made creatures that once scored without the behaviour that the goal rewards, one trick each.
 
+#include "math/elementary.h"
 #include "support/creatures.h"
 
 namespace cambrian::test {
@@ -95,6 +96,81 @@ inline GenomePtr roller(const KindCatalog& catalog, double delay) {
     }
     builder.drive(arm, alarm(builder, arm, delay, 1.9), -1.0);
     return builder.build();
+}
+
+// Returns a ring of boxes with rigid joints, all but round, and a light flap inside that trembles.
+inline GenomePtr wheel(const KindCatalog& catalog) {
+    CreatureBuilder builder(catalog);
+    constexpr double kTurn = 2.0 * kPi / 15.0;
+    const auto first = builder.part(0.2, 0.6);
+    auto front = first;
+    auto back = first;
+    for (int i = 0; i < 7; ++i) {
+        const auto next_front = builder.part(0.2, 0.6, "rigid");
+        const auto next_back = builder.part(0.2, 0.6, "rigid");
+        builder.attach(front, next_front, 0.125, kTurn);
+        builder.attach(back, next_back, i == 0 ? 0.625 : 0.125, -kTurn);
+        front = next_front;
+        back = next_back;
+        if (i > 0) continue;
+        const auto flap = builder.part(gene_range::kMinSize, gene_range::kMinSize);
+        builder.attach(first, flap, 0.375);
+        builder.swing(flap, 0.2, 0.0, 0.05);
+    }
+    return builder.build();
+}
+
+// Returns a tower that leans to the right, so that it falls before anything drives it.
+inline GenomePtr leaning_tower(const KindCatalog& catalog) {
+    CreatureBuilder builder(catalog);
+    const auto tower = builder.part(1.6, 0.3);
+    const auto flap = builder.part(0.1, 0.1);
+    builder.attach(tower, flap, 0.125);
+    builder.stand_at(kHalfPi - 0.4);
+    builder.swing(flap, 0.2, 0.0, 0.02);
+    return builder.build();
+}
+
+// Returns a low plate that only trembles.
+inline GenomePtr still_plate(const KindCatalog& catalog) {
+    CreatureBuilder builder(catalog);
+    const auto plate = builder.part(1.0, 0.3);
+    const auto flap = builder.part(0.1, 0.1);
+    builder.attach(plate, flap, 0.125);
+    builder.swing(flap, 0.2, 0.0, 0.02);
+    return builder.build();
+}
+
+// Returns a tower that stands still.
+inline GenomePtr still_tower(const KindCatalog& catalog) {
+    CreatureBuilder builder(catalog);
+    const auto tower = builder.part(1.6, 0.5);
+    const auto flap = builder.part(0.1, 0.1);
+    builder.attach(tower, flap, 0.375);
+    builder.stand_at(kHalfPi);
+    builder.swing(flap, 0.2, 0.0, 0.02);
+    return builder.build();
+}
+
+// Returns four links that lie in a square and open to a line once.
+inline GenomePtr unfolder(const KindCatalog& catalog) {
+    CreatureBuilder builder(catalog);
+    auto last = builder.part(0.6, 0.1);
+    for (int i = 0; i < 3; ++i) {
+        const auto next = builder.part(0.6, 0.1);
+        builder.attach(last, next, 0.125, 1.4);
+        builder.limits(next, -2.6, 2.6);
+        builder.drive(next, alarm(builder, next, 0.5, 1.4), -1.0);
+        last = next;
+    }
+    return builder.build();
+}
+
+// Returns the drifter as it begins across the axes, where its bounds are smallest.
+inline GenomePtr oblique_drifter(const KindCatalog& catalog) {
+    Genome genome = *drifter(catalog);
+    genome.root_angle = 0.5 * kHalfPi;
+    return std::make_shared<const Genome>(std::move(genome));
 }
 
 // Returns a body that stays in place while a heavy arm swings to and fro.

@@ -168,7 +168,7 @@ std::string final_line(const Evolution& evolution, const ReportedRun& run,
     const Individual& champion = reported.individual;
     const std::vector<GenerationStatistics>& history = evolution.history();
     const TerminationAudit& audit = evolution.termination_audit();
-    const bool gave_up = evolution.settings().terminate_early;
+    const bool gave_up = evolution.termination_audit().finished > 0;
     const GenerationStatistics& first = history.front();
     const GenerationStatistics& last = history.back();
     const bool interrupted = stopped_by == "interruption";

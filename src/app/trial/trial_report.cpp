@@ -32,6 +32,8 @@ std::string audit_json(const SceneAudit& audit) {
                         {"positive_work", real_text(audit.positive_work)},
                         {"energy_residual", real_text(audit.energy_residual)},
                         {"energy_scale", real_text(audit.energy_scale)},
+                        {"spin_gained", real_text(audit.spin_gained)},
+                        {"spin_scale", real_text(audit.spin_scale)},
                         {"max_penetration", real_text(audit.max_penetration)},
                         {"max_limit_overrun", real_text(audit.max_limit_overrun)},
                         {"max_part_speed", real_text(audit.max_part_speed)},
@@ -45,12 +47,14 @@ std::string audit_json(const SceneAudit& audit) {
 
 std::string audit_text(const SceneAudit& audit) {
     return fmt::format(
-        "muscles worked {} J; unexplained {} J{}, gained from contacts and limits {} J{}\ndeepest "
+        "muscles worked {} J; unexplained {} J{}, gained from contacts and limits {} J{}, spin "
+        "gained from nothing {} kg m^2/s{}\ndeepest "
         "penetration {} mm, largest limit violation {} rad, fastest part {} m/s, fastest spin {} "
         "rad/s\n{} evaluations, {} steps, {} rejections, {} impacts, {} fallbacks",
         rounded(audit.gross_motor_work), rounded(audit.energy_residual),
         percent_of(audit.energy_residual, audit.energy_scale), rounded(audit.positive_work),
-        percent_of(audit.positive_work, audit.energy_scale), rounded(1e3 * audit.max_penetration),
+        percent_of(audit.positive_work, audit.energy_scale), rounded(audit.spin_gained),
+        percent_of(audit.spin_gained, audit.spin_scale), rounded(1e3 * audit.max_penetration),
         rounded(audit.max_limit_overrun), rounded(audit.max_part_speed),
         rounded(audit.max_part_spin), audit.evaluations, audit.steps, audit.rejections,
         audit.events, audit.fallbacks);

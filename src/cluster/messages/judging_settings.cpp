@@ -21,6 +21,7 @@ ExperimentSettings judging_part(const ExperimentSettings& settings, const Evolut
     part.expression = settings.expression;
     // Affects the probes' worlds.
     part.selection.confirm_jitter = settings.selection.confirm_jitter;
+    part.selection.confirm_tilt = settings.selection.confirm_tilt;
     return part;
 }
 
@@ -44,7 +45,8 @@ std::string_view next_part(std::string_view& rest) {
 }  // namespace
 
 bool judge_alike(const ExperimentSettings& a, const ExperimentSettings& b) {
-    return same_judgement(a, b) && a.selection.confirm_jitter == b.selection.confirm_jitter;
+    return same_judgement(a, b) && a.selection.confirm_jitter == b.selection.confirm_jitter &&
+           a.selection.confirm_tilt == b.selection.confirm_tilt;
 }
 
 std::uint64_t settings_key(std::string_view text) {

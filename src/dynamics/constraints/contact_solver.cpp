@@ -139,13 +139,28 @@ void ContactSolver::detect(const PlanarModel& model, const ContactLaw& law,
     near_.count = 0;
     near_.most = model.contact_count;
     if (!law.has_ground && law.fixed.empty() && model.colliding_pairs.empty()) return;
-    PartPlaces places;
+    latest_ = 1 - latest_;
+    PartPlaces& places = places_[latest_];
     place_parts(model, kinematics, places);
     if (law.has_ground) detect_ground_contacts(model, kinematics, places, near_);
     pair_list_.detect(model, kinematics, places, near_);
     if (!law.fixed.empty()) detect_fixed_contacts(model, kinematics, places, law.fixed, near_);
     if (kinematics.deforms) stretch_contacts(kinematics, near_);
     CAMBRIAN_TICK_ASSERT(near_.count >= 0 && near_.count <= kMaxContacts, "contacts have room");
+}
+
+int ContactSolver::count_looks(const PlanarModel& model, const ContactLaw& law,
+                               const Kinematics& from, const Kinematics& to) {
+    const bool has_pairs = !model.colliding_pairs.empty() && !pair_list_.is_empty();
+    if (law.fixed.empty() && !has_pairs) return 1;
+    for (PartPlaces& places : places_)
+        use_sizes(model, places);
+    const BoxEnds ends{model, places_[1 - latest_], places_[latest_]};
+    BoxTravels travels;
+    find_travels(ends, from.angle, to.angle, travels);
+    double looks = has_pairs ? pair_list_.count_looks(ends, travels) : 1.0;
+    if (!law.fixed.empty()) looks = std::max(looks, count_looks_at_fixed(ends, travels, law.fixed));
+    return static_cast<int>(std::ceil(std::min(looks, kMostLooks + 1.0)));
 }
 
 bool ContactSolver::has_impact() const {

@@ -37,6 +37,8 @@ struct HeldWork {
     double positive = 0.0;  // sum of every contact's and stop's positive work
 };
 
+inline constexpr int kMostLooks = 128;  // at a motion within a step
+
 struct ImpactResult {
     double work = 0.0;  // J
     bool fell_back = false;
@@ -47,6 +49,11 @@ public:
     // Detects all near contacts at the given positions.
     void detect(const PlanarModel& model, const ContactLaw& law, const Kinematics& kinematics);
     const ContactSet& near() const { return near_; }
+    // Returns into how many equal parts the motion between the last two detections must be divided
+    // so that no two boxes, of which one may be fixed, can pass each other unseen within one of
+    // them; 1 if they cannot within the whole. Not more than kMostLooks + 1.
+    int count_looks(const PlanarModel& model, const ContactLaw& law, const Kinematics& from,
+                    const Kinematics& to);
     void forget_model() { pair_list_.forget(); }  // before another one
 
     // Whether a touching contact closes faster than kRestingSpeed.
@@ -111,6 +118,8 @@ private:
     void store_forces(int body_count, double h, WarmStart& warm);
 
     PairList pair_list_;
+    PartPlaces places_[2];  // of the last two detections
+    int latest_ = 0;        // of them
     ContactSet near_;
     ContactSet selected_;
     LimitSet limits_;

@@ -12,14 +12,14 @@ struct Reach {
     double low_x, low_y, high_x, high_y;  // m
 };
 
-// Returns an upright box that contains the part, enlarged by the margin.
-Reach reach_of(const PartPlaces& places, int part) {
+// Returns an upright box that contains the part, enlarged by a margin (m).
+Reach reach_of(const PartPlaces& places, int part, double margin = kContactMargin) {
     const double along = std::fabs(places.axis_x[part]);
     const double across = std::fabs(places.axis_y[part]);
     const double length = places.half_length[part];
     const double width = places.half_width[part];
-    const double x = along * length + across * width + kContactMargin;
-    const double y = across * length + along * width + kContactMargin;
+    const double x = along * length + across * width + margin;
+    const double y = across * length + along * width + margin;
     return {places.x[part] - x, places.y[part] - y, places.x[part] + x, places.y[part] + y};
 }
 
@@ -53,6 +53,18 @@ void add_points(const Kinematics& k, const PartPlaces& places, const BoxManifold
 PlacedBox placed_box(const FixedBox& box) {
     return {box.center.x(), box.center.y(),  box.axis.x(),
             box.axis.y(),   box.half_length, box.half_width};
+}
+
+double smaller_side(const FixedBox& box) {
+    return 2.0 * std::min(box.half_length, box.half_width);
+}
+
+// Whether no axis separates two boxes by more than a distance (m).
+bool is_within(const PlacedBox& a, const PlacedBox& b, double distance) {
+    const BoxRelation<double> relation = relation_of(a, b);
+    const AxisGaps<double> own = axis_gaps(a, b, relation);
+    const AxisGaps<double> other = axis_gaps(b, a, relation);
+    return std::max({own.length, own.width, other.length, other.width}) <= distance;
 }
 
 // Returns an upright box that contains all parts.
@@ -95,6 +107,26 @@ void detect_fixed_contacts(const PlanarModel& model, const Kinematics& k, const 
             add_points(k, places, manifold, contact, contacts);
         }
     }
+}
+
+double count_looks_at_fixed(const BoxEnds& ends, const BoxTravels& travels,
+                            std::span<const FixedBox> fixed) {
+    fixed = fixed.first(std::min<std::size_t>(fixed.size(), kMostFixedBoxes));
+    double thinnest = 1e9;
+    for (const FixedBox& box : fixed)
+        thinnest = std::min(thinnest, smaller_side(box));
+    double looks = 1.0;
+    for (int part = 0; part < ends.model.part_count; ++part) {
+        const double travel = travel_of(ends, travels, part);
+        if (travel <= std::min(travels.thin[part], thinnest)) continue;
+        const Reach reach = reach_of(ends.from, part, travel);
+        for (const FixedBox& box : fixed) {
+            const double parts = travel / std::min(travels.thin[part], smaller_side(box));
+            if (parts <= looks || !meet(reach, box)) continue;
+            if (is_within(placed_box(ends.from, part), placed_box(box), travel)) looks = parts;
+        }
+    }
+    return looks;
 }
 
 }  // namespace cambrian

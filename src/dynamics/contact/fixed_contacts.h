@@ -3,7 +3,7 @@
 // Contacts of boxes with boxes that never move (dynamics/README.md 8).
 
 #include "dynamics/contact/contact.h"
-#include "dynamics/model/part_places.h"
+#include "dynamics/contact/swept_boxes.h"
 #include "world/fixed_box.h"
 
 #include <span>
@@ -15,5 +15,11 @@ namespace cambrian {
 void detect_fixed_contacts(const PlanarModel& model, const Kinematics& kinematics,
                            const PartPlaces& places, std::span<const FixedBox> fixed,
                            ContactSet& contacts);
+
+// Returns into how many equal parts a motion must be divided so that no box which might meet a
+// fixed one moves farther than the smaller side of either in one of them. The result is not whole,
+// and at least 1.
+[[gnu::noinline]] double count_looks_at_fixed(const BoxEnds& ends, const BoxTravels& travels,
+                                              std::span<const FixedBox> fixed);
 
 }  // namespace cambrian

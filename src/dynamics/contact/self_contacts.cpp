@@ -21,10 +21,14 @@ struct BoxAndFour {
     Simd4d reach;             // m, sum of the radii of the bounding circles
 };
 
+CAMBRIAN_INLINE Simd4dVector from_center(const PartPlaces& places, int first, int second) {
+    return {load_lanes(places.x + second) - places.x[first],
+            load_lanes(places.y + second) - places.y[first]};
+}
+
 CAMBRIAN_INLINE BoxAndFour box_and_four(const PlanarModel& model, const PartPlaces& places,
                                         int first, int second) {
-    return {{load_lanes(places.x + second) - places.x[first],
-             load_lanes(places.y + second) - places.y[first]},
+    return {from_center(places, first, second),
             model.radius[first] + load_lanes(model.radius + second)};
 }
 
@@ -46,6 +50,33 @@ CAMBRIAN_INLINE unsigned touching_lanes(const PartPlaces& places, int first, int
     const BoxRelation<Simd4d> relation = relation_of(one, four);
     lanes &= unseparated_lanes(axis_gaps(one, four, relation));
     return lanes == 0 ? 0 : lanes & unseparated_lanes(axis_gaps(four, one, relation));
+}
+
+// Returns the lanes in which no axis separates the boxes by more than this, m.
+CAMBRIAN_INLINE unsigned reaching_lanes(const PartPlaces& places, int first, int second,
+                                        const Simd4d& reach) {
+    const PlacedBox one = placed_box(places, first);
+    const PlacedBoxes<Simd4d> four = four_boxes(places, second);
+    const BoxRelation<Simd4d> relation = relation_of(one, four);
+    const AxisGaps<Simd4d> own = axis_gaps(one, four, relation);
+    const AxisGaps<Simd4d> other = axis_gaps(four, one, relation);
+    return true_lanes(greater(greater(own.length, own.width), greater(other.length, other.width)) <=
+                      reach);
+}
+
+// Returns the most that one box moves past each of four others, at a place that the circles around
+// both hold, in m, seen in the frame of the one. It does not grow as boxes turn together.
+CAMBRIAN_INLINE Simd4d travel_beside(const BoxEnds& ends, const BoxTravels& travels, int first,
+                                     int second) {
+    const Simd4d turns = load_lanes(travels.turn + second) - travels.turn[first];
+    const Simd4dVector move = moves_beside(ends, first, second);
+    Simd4d travel =
+        most_length(move.x, move.y) + load_lanes(ends.model.radius + second) * magnitude(turns);
+    if (ends.model.stretch_count > 0) {
+        const int block = first & -kLanes;
+        travel += growths_of(ends, second) + growths_of(ends, block)[first - block];
+    }
+    return travel;
 }
 
 void add_points(const PlanarModel& model, const Kinematics& k, const PartPlaces& places,
@@ -152,11 +183,45 @@ void PairList::add_contacts(const PlanarModel& model, const Kinematics& kinemati
     }
 }
 
+// Boxes that are not in the list are too far apart to meet between two detections with one list.
+double PairList::count_looks(const BoxEnds& ends, const BoxTravels& travels) const {
+    const Group* groups = was_rebuilt_ ? groups_ : listed_;
+    const int count = was_rebuilt_ ? group_count_ : listed_count_;
+    double looks = 1.0;
+    if (travels.most_past <= travels.thinnest) return looks;
+    for (int g = 0; g < count; ++g) {
+        const int first = groups[g].first;
+        const int second = groups[g].second;
+        const Simd4d thin =
+            lesser(all_lanes(travels.thin[first]), load_lanes(travels.thin + second));
+        const Simd4dVector before = from_center(ends.from, first, second);
+        const Simd4dVector after = from_center(ends.to, first, second);
+        Simd4d travel = most_length(after.x - before.x, after.y - before.y) +
+                        (travels.swing[first] + load_lanes(travels.swing + second));
+        unsigned fast =
+            (was_rebuilt_ ? groups[g].lanes : groups[g].near) & true_lanes(travel > thin);
+        if (fast == 0) continue;
+        const Simd4d reach =
+            ends.model.radius[first] + load_lanes(ends.model.radius + second) + travel;
+        fast &= true_lanes(squared_length(before) <= reach * reach);
+        if (fast == 0) continue;
+        travel = lesser(travel, travel_beside(ends, travels, first, second));
+        fast &= true_lanes(travel > thin);
+        if (fast == 0) continue;
+        fast &= reaching_lanes(ends.from, first, second, travel);
+        const Simd4d parts = travel / thin;
+        for (; fast != 0; fast &= fast - 1)
+            looks = std::max(looks, parts[std::countr_zero(fast)]);
+    }
+    return looks;
+}
+
 void PairList::detect(const PlanarModel& model, const Kinematics& kinematics,
                       const PartPlaces& places, ContactSet& contacts) {
     if (model.colliding_pairs.empty()) return;
     if (!is_grouped_) group_pairs(model);
-    if (has_expired(model, places)) rebuild(model, places);
+    was_rebuilt_ = has_expired(model, places);
+    if (was_rebuilt_) rebuild(model, places);
     for (int l = 0; l < listed_count_; ++l) {
         const Group& group = listed_[l];
         const BoxAndFour boxes = box_and_four(model, places, group.first, group.second);

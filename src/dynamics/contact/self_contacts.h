@@ -3,7 +3,7 @@
 // Contacts between boxes of one creature (dynamics/README.md 8).
 
 #include "dynamics/contact/contact.h"
-#include "dynamics/model/part_places.h"
+#include "dynamics/contact/swept_boxes.h"
 
 #include <cstdint>
 
@@ -17,6 +17,11 @@ public:
     // model's pairs.
     void detect(const PlanarModel& model, const Kinematics& kinematics, const PartPlaces& places,
                 ContactSet& contacts);
+    // Returns into how many equal parts the motion between the last two detections must be divided
+    // so that no pair which might meet moves farther past each other than its smaller side in one
+    // of them. The result is not whole, and at least 1.
+    double count_looks(const BoxEnds& ends, const BoxTravels& travels) const;
+    bool is_empty() const { return !was_rebuilt_ && listed_count_ == 0; }
     // Before the positions or the pairs of another model.
     void forget() { is_grouped_ = is_built_ = false; }
 
@@ -38,6 +43,7 @@ private:
                       ContactSet& contacts);
 
     bool is_grouped_ = false, is_built_ = false;
+    bool was_rebuilt_ = false;  // by the last detection
     int group_count_ = 0, listed_count_ = 0;
     Group groups_[kMostPairs];
     Group listed_[kMostPairs];   // those with pairs near enough to be tested

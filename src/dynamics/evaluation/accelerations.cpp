@@ -53,6 +53,31 @@ CAMBRIAN_INLINE bool is_dragged(const Medium& medium) {
     return medium.drag_linear > 0.0 || medium.drag_quadratic > 0.0;
 }
 
+// Returns the torque of all loads about the centre of mass of the only tree, N m. Gravity has none.
+CAMBRIAN_INLINE double torque_about_center(const PlanarModel& model, const Kinematics& k,
+                                           const Loads& loads) {
+    const double* share = model.members_of(0).share;
+    Simd4dVector center = {};
+    Simd4dVector force = {};
+    Simd4d torque = {};
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        const Simd4d x = load_lanes(k.x + i);
+        const Simd4d y = load_lanes(k.y + i);
+        const Simd4d force_x = load_lanes(loads.force_x + i);
+        const Simd4d force_y = load_lanes(loads.force_y + i);
+        add_weighted(share + i, x, y, center);
+        force.x += force_x;
+        force.y += force_y;
+        torque += x * force_y - y * force_x + load_lanes(loads.torque + i);
+    }
+    return sum_of(torque) -
+           (sum_of(center.x) * sum_of(force.y) - sum_of(center.y) * sum_of(force.x));
+}
+
+CAMBRIAN_INLINE bool is_turned(const PlanarModel& model, const Forcing& forcing) {
+    return model.tree_count == 1 && (is_dragged(forcing.medium) || !forcing.pulls.empty());
+}
+
 CAMBRIAN_INLINE bool holds_pairs(const Forcing& forcing) {
     if (forcing.held == nullptr) return false;
     for (int c = 0; c < forcing.held->contact_count; ++c) {
@@ -103,6 +128,8 @@ void compute_loads(const PlanarModel& model, const Forcing& forcing, const Evalu
         add_held_force(model, pull, cache.kinematics, loads);
         rate.power[kPullWork] += pull_power(pull, cache.kinematics);
     }
+    rate.power[kSpinGiven] =
+        is_turned(model, forcing) ? torque_about_center(model, cache.kinematics, loads) : 0.0;
     if (forcing.held != nullptr) add_held_forces(model, *forcing.held, cache.kinematics, loads);
 }
 
@@ -120,7 +147,8 @@ namespace {
     compute_joints(model, motion, cache.kinematics);
     if (all || !forcing.pulls.empty() || is_dragged(forcing.medium))
         compute_velocities(model, motion, cache.kinematics);
-    if (all || holds_pairs(forcing)) compute_places(model, motion, cache.kinematics);
+    if (all || is_turned(model, forcing) || holds_pairs(forcing))
+        compute_places(model, motion, cache.kinematics);
     compute_loads(model, forcing, point, cache, rate);
     if (point.implicit == nullptr)
         solve_accelerations(model, cache.kinematics, cache.loads, cache.factors, cache.response);

@@ -32,6 +32,7 @@ public:
         const bool is_dragged = medium.drag_linear > 0.0 || medium.drag_quadratic > 0.0;
         if (all || is_dragged) move_bodies();
         rate_.power[kDragWork] = is_dragged ? drag_bodies() : 0.0;
+        rate_.power[kSpinGiven] = is_dragged ? whole_torque() : 0.0;
         rate_.power[kPullWork] = 0.0;
         couple_angles();
         if constexpr (kMotors == Motors::kImplicit)
@@ -180,6 +181,14 @@ private:
         for (int b = 0; b < kBlocks; ++b)
             torque_[b] += levers.torque(b);
         return power;
+    }
+
+    // The sum of the generalised forces of all angles, in which the efforts of motors cancel.
+    CAMBRIAN_INLINE double whole_torque() const {
+        Simd4d sum = torque_[0];
+        for (int b = 1; b < kBlocks; ++b)
+            sum += torque_[b];
+        return sum_of(sum);
     }
 
     // Fills the mass matrix and the velocity terms.

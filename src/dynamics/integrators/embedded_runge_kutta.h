@@ -29,9 +29,11 @@ public:
                              "a step takes time");
         run_stages(std::make_index_sequence<kLast>());
         constexpr auto all_stages = std::make_index_sequence<kStages>();
-        const Simd4d work = Sum<kLast>(request_.length, powers_)
-                                .add(load_lanes(request_.start.work), 0, all_stages);
-        store_lanes(result_.end.work, work);
+        const Sum<kLast> add_powers(request_.length, powers_);
+        store_lanes(result_.end.work,
+                    add_powers.add(load_lanes(request_.start.work), 0, all_stages));
+        result_.end.work[kSpinGiven] =
+            add_powers.add_one(request_.start.work[kSpinGiven], kSpinGiven, all_stages);
         result_.error = error(all_stages);
         result_.evaluations = kLast;
         CAMBRIAN_TICK_ASSERT(!(result_.error < 0.0), "an error is not negative");
@@ -42,7 +44,7 @@ private:
     static constexpr std::size_t kLast = kStages - 1;
     static constexpr std::size_t kErrorRow = kStages;  // kErrors, as one more row
     static constexpr double kPerPosition = 10.0;       // 1 / (0.1 m or rad)
-    static_assert(kWorkCount == kLanes);
+    static_assert(kSpinGiven == kLanes && kWorkCount == kLanes + 1);
     using Values = std::array<const double*, kStages>;  // of every stage
 
     template <std::size_t... kBefore>
@@ -87,6 +89,12 @@ private:
         template <std::size_t... kJ>
         CAMBRIAN_INLINE Simd4d add(Simd4d sum, int c, std::index_sequence<kJ...>) const {
             (add_term<kJ>(sum, c), ...);
+            return sum;
+        }
+        // Adds the terms of one slot.
+        template <std::size_t... kJ>
+        CAMBRIAN_INLINE double add_one(double sum, int c, std::index_sequence<kJ...>) const {
+            ((weight(kJ) != 0.0 ? sum += scaled_[kJ] * values_[kJ][c] : sum), ...);
             return sum;
         }
 

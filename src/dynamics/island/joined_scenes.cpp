@@ -229,6 +229,7 @@ void JoinedBodies::spread(double duration, SceneBody& member, std::size_t index)
     SimulationState& own = member.state;
     own.time += duration;
     own.detection = 0;
+    own.known_spins = 0;
     own.warm.count = 0;
     member.forcing.held = nullptr;
     evaluate_accelerations(member.model, member.forcing, own.motion, {.tick_share = 1.0},
@@ -337,6 +338,8 @@ void JoinedBodies::give_audit(SceneBody& member) const {
     own.limit_work += share() * all.limit_work;
     own.impulse_work += share() * all.impulse_work;
     own.positive_work += share() * all.positive_work;
+    own.spin_gained = std::max(own.spin_gained, all.spin_gained);
+    own.spin_scale = std::max(own.spin_scale, all.spin_scale);
     own.max_penetration = std::max(own.max_penetration, all.max_penetration);
     own.max_limit_overrun = std::max(own.max_limit_overrun, all.max_limit_overrun);
     own.evaluations += all.evaluations;

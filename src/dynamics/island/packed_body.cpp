@@ -172,6 +172,8 @@ void visit_moment(Moment& moment, const ChangedCounts& counts, Visitor& visitor)
     visitor.some(moment.impacts, moment.impact_count, 0);
     visitor.one(moment.audit);
     visitor.one(moment.energy_reference);
+    visitor.some(moment.spin, now.trees, before.trees);
+    visitor.one(moment.known_spins);
 }
 
 template <class Visitor>

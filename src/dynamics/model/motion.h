@@ -11,18 +11,19 @@
 
 namespace cambrian {
 
-// Works that are integrated along with the motion, J.
-enum Work : int { kMotorWork, kGrossMotorWork, kDragWork, kPullWork, kWorkCount };
+// Works that are integrated along with the motion, J, and one impulse, N m s: what drag and pulls
+// give to the angular momentum about the centre of mass, in models of one tree.
+enum Work : int { kMotorWork, kGrossMotorWork, kDragWork, kPullWork, kSpinGiven, kWorkCount };
 
 struct Motion {
     PerCoordinate position;   // m or rad
     PerCoordinate speed;      // m/s or rad/s
-    double work[kWorkCount];  // J
+    double work[kWorkCount];  // J, but for kSpinGiven
 };
 
 struct MotionRate {
     PerCoordinate acceleration;  // m/s^2 or rad/s^2
-    double power[kWorkCount];    // W
+    double power[kWorkCount];    // W, but for kSpinGiven: N m
 };
 
 inline int coordinate_count(const PlanarModel& model) {

@@ -18,16 +18,13 @@ CAMBRIAN_INLINE void place_single_boxes(const PlanarModel& model, const Kinemati
 
 // Sets the present half extents.
 CAMBRIAN_INLINE void size_parts(const PlanarModel& model, const Kinematics& k, PartPlaces& places) {
-    places.half_length = model.half_length;
-    places.half_width = model.half_width;
+    use_sizes(model, places);
     if (model.stretch_count == 0) return;
     for (int part = 0; part < round_up_to_lanes(model.part_count); ++part) {
         const int b = model.part_body[part];
         places.stretched_length[part] = k.length_growth[b] * model.half_length[part];
         places.stretched_width[part] = k.width_growth[b] * model.half_width[part];
     }
-    places.half_length = places.stretched_length;
-    places.half_width = places.stretched_width;
 }
 
 }  // namespace

@@ -14,6 +14,14 @@ struct PartPlaces {
     PerPart stretched_length, stretched_width;
 };
 
+// Points at the present half extents. The model may have moved in memory since the boxes were
+// placed.
+inline void use_sizes(const PlanarModel& model, PartPlaces& places) {
+    const bool deforms = model.stretch_count > 0;
+    places.half_length = deforms ? places.stretched_length : model.half_length;
+    places.half_width = deforms ? places.stretched_width : model.half_width;
+}
+
 void place_parts(const PlanarModel& model, const Kinematics& kinematics, PartPlaces& places);
 
 // Four boxes, from `first` on.

@@ -183,12 +183,10 @@ double stretched_kinetic_energy(const PlanarModel& model, const Kinematics& k) {
     double energy = 0.0;
     for (int i = 0; i < model.body_count; ++i) {
         if (is_stretch(model, i)) continue;
-        const InertiaParts parts = inertia_parts(model, k, i);
-        const bool deforms = model.stretch_slot[i] >= 0;
-        const double inertia = deforms ? parts.length + parts.width : model.inertia[i];
         energy += model.mass[i] *
                       (k.velocity_x[i] * k.velocity_x[i] + k.velocity_y[i] * k.velocity_y[i]) +
-                  inertia * (k.spin[i] * k.spin[i] + k.stretch_rate[i] * k.stretch_rate[i]);
+                  present_inertia(model, k, i) *
+                      (k.spin[i] * k.spin[i] + k.stretch_rate[i] * k.stretch_rate[i]);
     }
     return 0.5 * energy;
 }

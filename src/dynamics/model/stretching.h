@@ -61,6 +61,14 @@ CAMBRIAN_INLINE InertiaParts inertia_parts(const PlanarModel& model, const Kinem
             model.mass[body] * model.width_square[body] * width};
 }
 
+// The moment of inertia of a body about its centre, kg m^2; 0 in the slot of a stretch.
+CAMBRIAN_INLINE double present_inertia(const PlanarModel& model, const Kinematics& k, int body) {
+    if (model.motion[body] == JointMotion::kStretch) return 0.0;
+    if (model.stretch_slot[body] < 0) return model.inertia[body];
+    const InertiaParts parts = inertia_parts(model, k, body);
+    return parts.length + parts.width;
+}
+
 // Do what the functions of kinematics.h do, for models with stretches.
 void compute_stretched_joints(const PlanarModel& model, const Motion& motion, Kinematics& k);
 void place_stretched_bodies(const PlanarModel& model, const Motion& motion, Kinematics& k);

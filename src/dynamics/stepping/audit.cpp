@@ -79,6 +79,7 @@ void update_audit(const PlanarModel& model, const Medium& medium, SimulationStat
 void start_audit(const PlanarModel& model, const Medium& medium, SimulationState& state) {
     for (double& work : state.motion.work)
         work = 0.0;
+    state.known_spins = 0;
     state.audit = {};
     state.energy_reference =
         mechanical_energy(model, medium, state.motion, state.cache().kinematics);

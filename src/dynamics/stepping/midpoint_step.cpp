@@ -151,7 +151,7 @@ void MidpointStep::integrate_works(const PlanarModel& model, const MidpointReque
     const double* before = step.start.work;
     work[kMotorWork] = before[kMotorWork] + sum_of(net);
     work[kGrossMotorWork] = before[kGrossMotorWork] + sum_of(gross);
-    for (const Work w : {kDragWork, kPullWork})
+    for (const Work w : {kDragWork, kPullWork, kSpinGiven})
         work[w] = before[w] + step.length / 6.0 *
                                   (step.start_rate.power[w] + 4.0 * middle_rate_.power[w] +
                                    result.end_rate.power[w]);

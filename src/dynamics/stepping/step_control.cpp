@@ -6,6 +6,7 @@
 #include "dynamics/stepping/audit.h"
 #include "dynamics/stepping/dense_output.h"
 #include "dynamics/stepping/time_of_impact.h"
+#include "dynamics/stepping/tree_spin.h"
 #include "math/elementary.h"
 #include "world/environment.h"
 
@@ -32,9 +33,13 @@ constexpr double kMaxTickDeepening = 8e-3;   // m; in one tick
 constexpr double kMaxOverrun = 0.03;         // rad or m past a stop
 constexpr double kOverrunGrowth = 0.01;      // of that in one step
 constexpr double kStepWorkAllowance = 5e-4;  // J per (kg m/s^2)
+constexpr double kStepGainAllowance = 3e-4;  // J per (kg m/s^2)
+constexpr double kGainlessError = 0.05;      // of the allowed one; smaller ones add no energy
+constexpr double kScaleSpin = 1e-3;          // rad/s; for the audit of what hardly moves
 constexpr double kMinStep = 1e-6;            // s
 constexpr double kSliver = 1e-9;             // s; what may be left of a tick
 constexpr int kMaxImpacts = 8;               // per tick; later impacts are treated as slow contacts
+constexpr int kMostStops = 64;  // per tick; fewer impacts stop boxes that would pass each other
 constexpr double kSafety = 0.9;
 constexpr double kShrinkMost = 0.2;
 constexpr double kGrowMost = 3.0;
@@ -60,6 +65,14 @@ bool is_within_creature(const PlanarModel& model, const Contact& contact) {
     if (contact.body_b < 0) return false;
     const BodySet paths = model.root_path[contact.body_a] & model.root_path[contact.body_b];
     return (paths & model.roots) != 0;
+}
+
+// Returns the trees that a contact or a force pushes from outside, by the bits of their roots.
+template <class Pushing>
+BodySet touched_trees(const PlanarModel& model, const Pushing& pushing) {
+    const BodySet first = model.root_path[pushing.body_a] & model.roots;
+    const BodySet second = pushing.body_b < 0 ? 0 : model.root_path[pushing.body_b] & model.roots;
+    return first == second ? 0 : first | second;
 }
 
 // The impulse is in N s, and `work` in J is that of the impact.
@@ -178,6 +191,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     if (model.measured_parts != 0)
         end_forces(model, forcing.medium, state.cache().kinematics, duration, state.forces);
     note_speeds(model, state.cache().kinematics, state.audit);
+    if (std::floor(state.time) != std::floor(state.time - duration)) check_spins(model, state);
     update_audit(model, forcing.medium, state);
 }
 
@@ -188,6 +202,7 @@ void StepControl::roll_back(Tick& tick, const Motion& start, const SceneAudit& a
     CAMBRIAN_TICK_ASSERT(is_finite(tick.model, start), "a tick can be rolled back");
     copy_motion(tick.model, start, state.motion);
     state.cache_is_current = false;
+    state.known_spins = 0;
     tick.time = 0.0;
     make_current(tick);
     state.audit.evaluations = spent.evaluations;
@@ -203,8 +218,10 @@ SceneStatus StepControl::step(Tick& tick) {
     CAMBRIAN_TICK_ASSERT(tick.time < tick.length, "something is left of the tick");
     make_current(tick);
     if (!tick.detected) contacts_.detect(tick.model, tick.law, tick.state.cache().kinematics);
-    if (tick.impacts < kMaxImpacts && contacts_.has_impact()) {
-        apply_impact(tick, tick.law.restitution);
+    const bool can_bounce = tick.impacts < kMaxImpacts;
+    if ((can_bounce || tick.must_stop) && contacts_.has_impact()) {
+        tick.must_stop = false;
+        apply_impact(tick, can_bounce ? tick.law.restitution : 0.0);
         return SceneStatus::kRunning;
     }
     bool has_rows = false;
@@ -219,27 +236,56 @@ SceneStatus StepControl::step(Tick& tick) {
         case Attempt::kAccepted:
             break;
     }
+    restore_spins(tick, h);
     Kinematics& end = spare_.get().kinematics;
     const double depth = deepest(contacts_.near());
     if (tick.time == 0.0) tick.start_depth = depth;
     contacts_.detect(tick.model, tick.law, end);
     tick.detected = true;
-    if (tick.impacts < kMaxImpacts && has_new_impact(contacts_)) {
-        const StepEnds ends{tick.state.motion, *start_rate_, result_.end, *end_rate_, h};
+    const StepEnds ends{tick.state.motion, *start_rate_, result_.end, *end_rate_, h};
+    const std::optional<double> until = look_for_crossing(tick, ends, depth);
+    tick.must_stop = until && *until < 1.0;
+    if (!until) {
+        reject_end(tick, h);
+    } else if (tick.must_stop || (can_bounce && has_new_impact(contacts_))) {
         Motion motion;
-        const double share = find_impact(tick.model, tick.law, ends, contacts_, motion, end);
+        const double share =
+            find_impact(tick.model, tick.law, ends, *until, contacts_, motion, end);
         copy_motion(tick.model, motion, result_.end);
         tick.underflows = 0;
         accept_part(tick, h, share);
     } else if (is_too_deep(tick, depth, h)) {
-        ++tick.state.audit.rejections;
-        tick.state.proposed_step = 0.5 * h;
-        tick.detected = false;
+        reject_end(tick, h);
     } else {
         tick.underflows = 0;
         accept(tick, has_rows, h);
     }
     return SceneStatus::kRunning;
+}
+
+// Looks whether boxes meet within a step that are past each other at its end. Returns the share of
+// the step at which they do, 1 if none meet, or nothing if the step is too long to be looked at or
+// to be stopped there. The near contacts are then those at this share.
+std::optional<double> StepControl::look_for_crossing(const Tick& tick, const StepEnds& ends,
+                                                     double start_depth) {
+    const Kinematics& end = spare_.get().kinematics;
+    const int parts =
+        contacts_.count_looks(tick.model, tick.law, tick.state.cache().kinematics, end);
+    if (parts == 1) return 1.0;
+    if (parts > kMostLooks) return std::nullopt;
+    const Crossing crossing = find_crossing(tick.model, tick.law, ends, parts, contacts_);
+    // Selected contacts are no impacts, but their boxes may pass each other as well.
+    if (crossing.depth > start_depth + kMaxDeepening) return std::nullopt;
+    if (crossing.share < 1.0 && tick.impacts >= kMostStops) return std::nullopt;
+    if (crossing.share == 1.0) contacts_.detect(tick.model, tick.law, end);
+    return crossing.share;
+}
+
+// Tries half of a step of length h, whose end cannot be accepted.
+void StepControl::reject_end(Tick& tick, double h) {
+    ++tick.state.audit.rejections;
+    tick.state.proposed_step = 0.5 * h;
+    tick.detected = false;
 }
 
 // Whether the deepest contact at the attempt's end is much deeper than at its start or the tick's.
@@ -287,6 +333,7 @@ void StepControl::apply_impact(Tick& tick, double restitution) {
     for (int c = 0; c < touching.count; ++c) {
         const double impulse = contacts_.normal_impulse_of(c);
         note_touch(touching.items[c], state);
+        state.known_spins &= ~touched_trees(tick.model, touching.items[c]);
         note_impact(tick.model, state.cache().kinematics, touching.items[c], impulse,
                     contacts_.impact_work_of(c), state);
         if (tick.model.measured_parts != 0)
@@ -418,14 +465,86 @@ void StepControl::check_step_end(const Tick& tick) {
 }
 
 // Positive work of contacts and limits shows that the step is too long for constant forces. So does
-// a joint that overruns a limit that was not selected.
+// a joint that overruns a limit that was not selected. Energy that no work explains shows that it
+// is too long for its motion.
 bool StepControl::must_halve(const Tick& tick, double h) {
     check_step_end(tick);
     if (h <= kHalvingStep) return false;
-    const double allowance = kStepWorkAllowance * tick.model.total_mass * kEarthGravity;
-    if (work_.positive > allowance) return true;
+    const double weight = tick.model.total_mass * kEarthGravity;
+    if (work_.positive > kStepWorkAllowance * weight) return true;
+    if (result_.error > kGainlessError && unexplained_gain(tick) > kStepGainAllowance * weight)
+        return true;
     return end_overrun_ > kMaxOverrun &&
            end_overrun_ > limit_overrun(tick.model, tick.state.cache().kinematics) + kOverrunGrowth;
+}
+
+// Returns the energy that the attempted step adds without work, in J.
+double StepControl::unexplained_gain(const Tick& tick) const {
+    const Motion& start = tick.state.motion;
+    const Medium& medium = tick.forcing.medium;
+    double gain = mechanical_energy(tick.model, medium, result_.end, spare_.get().kinematics) -
+                  mechanical_energy(tick.model, medium, start, tick.state.cache().kinematics);
+    for (const Work w : {kMotorWork, kDragWork, kPullWork})
+        gain -= result_.end.work[w] - start.work[w];
+    return gain - work_.contact - work_.limit;
+}
+
+// Returns the trees on which nothing acted in the attempted step but what kSpinGiven measures.
+BodySet StepControl::free_trees(const Tick& tick) const {
+    const PlanarModel& model = tick.model;
+    const Forcing& forcing = tick.forcing;
+    const bool is_one = model.tree_count == 1;
+    const Medium& medium = forcing.medium;
+    if (!is_one && (medium.drag_linear > 0.0 || medium.drag_quadratic > 0.0 ||
+                    !forcing.pulls.empty() || !model.loop_joints.empty()))
+        return 0;
+    BodySet touched = 0;
+    const HeldForces& held = contacts_.held();
+    for (int c = 0; c < held.contact_count; ++c) {
+        const HeldForce& force = held.contacts[c];
+        if (force.force_x != 0.0 || force.force_y != 0.0) touched |= touched_trees(model, force);
+    }
+    return model.roots & ~touched;
+}
+
+// Turns free trees at the end of the tick's last step such that their angular momenta have changed
+// by what was given to them. This undoes the errors of integration, by which a creature could spin
+// itself up.
+void StepControl::restore_spins(Tick& tick, double h) {
+    const PlanarModel& model = tick.model;
+    SimulationState& state = tick.state;
+    const BodySet free = free_trees(tick);
+    state.known_spins &= free;
+    const bool is_last = tick.time + h > tick.length - kSliver;
+    for (int t = 0; t < model.tree_count && free != 0; ++t) {
+        const BodySet tree = BodySet{1} << model.tree_begin[t];
+        if ((free & tree) == 0) continue;
+        if ((state.known_spins & tree) == 0)
+            state.spin[t] =
+                spin_of_tree(model, state.motion, state.cache().kinematics, t).momentum -
+                state.motion.work[kSpinGiven];
+        if (!is_last) continue;
+        Kinematics& end = spare_.get().kinematics;
+        const TreeSpin spin = spin_of_tree(model, result_.end, end, t);
+        const double gained = spin.momentum - state.spin[t] - result_.end.work[kSpinGiven];
+        turn_tree(model, t, -gained / spin.inertia, result_.end, end);
+    }
+    state.known_spins = free;
+}
+
+// Notes in the audit what the angular momenta of free trees have gained in spite of that.
+void StepControl::check_spins(const PlanarModel& model, SimulationState& state) {
+    const Kinematics& k = state.cache().kinematics;
+    SceneAudit& audit = state.audit;
+    for (int t = 0; t < model.tree_count; ++t) {
+        if ((state.known_spins >> model.tree_begin[t] & 1U) == 0) continue;
+        const TreeSpin spin = spin_of_tree(model, state.motion, k, t);
+        const double gained = spin.momentum - state.spin[t] - state.motion.work[kSpinGiven];
+        audit.spin_gained = std::max(audit.spin_gained, std::fabs(gained));
+        audit.spin_scale =
+            std::max(audit.spin_scale,
+                     gross_spin_of_tree(model, state.motion, k, t) + kScaleSpin * spin.inertia);
+    }
 }
 
 void StepControl::accept(Tick& tick, bool has_rows, double h) {

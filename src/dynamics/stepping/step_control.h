@@ -6,10 +6,12 @@
 #include "dynamics/constraints/contact_solver.h"
 #include "dynamics/stepping/midpoint_step.h"
 #include "dynamics/stepping/part_forces.h"
+#include "dynamics/stepping/time_of_impact.h"
 #include "world/physics_scene.h"
 #include "world/scene_settings.h"
 
 #include <memory>
+#include <optional>
 
 namespace cambrian {
 
@@ -57,6 +59,10 @@ struct SceneMoment {
     SceneAudit audit;
     double energy_reference = 0.0;      // J, at the start of the audit
     MemberWork member_work[kMaxTrees];  // of several creatures; summed since it was set to 0
+    // Of the trees that nothing outside has touched since, each named by the bit of its root: the
+    // angular momentum about its centre less motion.work[kSpinGiven], kg m^2/s.
+    PerTree spin = {};
+    BodySet known_spins = 0;
 };
 
 // A cache on the heap, so that two of them are exchanged without copying numbers.
@@ -133,6 +139,8 @@ private:
         int impacts = 0;
         int underflows = 0;     // in a row
         bool detected = false;  // contacts_ has detected the contacts of the present state
+        // The last step ended where two boxes met that would have passed each other.
+        bool must_stop = false;
     };
     void clear_all();
     void clear_beyond(const ChangedCounts& counts);
@@ -154,7 +162,14 @@ private:
     void respond_to_held(const Tick& tick, BodyResponse& response) const;
     void check_step_end(const Tick& tick);
     bool is_too_deep(const Tick& tick, double start_depth, double h) const;
+    std::optional<double> look_for_crossing(const Tick& tick, const StepEnds& ends,
+                                            double start_depth);
+    void reject_end(Tick& tick, double h);
     bool must_halve(const Tick& tick, double h);
+    double unexplained_gain(const Tick& tick) const;
+    BodySet free_trees(const Tick& tick) const;
+    void restore_spins(Tick& tick, double h);
+    static void check_spins(const PlanarModel& model, SimulationState& state);
     void accept(Tick& tick, bool has_rows, double h);
     void accept_part(Tick& tick, double h, double share);
     void release_forces(Tick& tick);

@@ -2,6 +2,7 @@
 
 #include "core/assert.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cambrian {
@@ -9,22 +10,27 @@ namespace {
 
 constexpr int kMaxRounds = 40;
 
-// The deepest new contact that closes fast or penetrates too deeply.
+// The deepest new contact that is an impact.
 struct NewContact {
     bool found = false;
     double gap = kContactMargin;
     double closing_speed = 0.0;
 };
 
+// Whether a contact closes fast or penetrates too deeply.
+bool is_impact(const Contact& contact) {
+    const bool fast = contact.closing_speed > kRestingSpeed;
+    // A fast spinning corner may enter the ground and leave it again within one step.
+    const bool deep = contact.gap < -kContactBand;
+    return fast || deep;
+}
+
 NewContact deepest_new_contact(const ContactSolver& contacts) {
     NewContact deepest;
     const ContactSet& near = contacts.near();
     for (int c = 0; c < near.count; ++c) {
         const Contact& contact = near.items[c];
-        const bool fast = contact.closing_speed > kRestingSpeed;
-        // A fast spinning corner may enter the ground and leave it again within one step.
-        const bool deep = contact.gap < -kContactBand;
-        if (!(fast || deep) || contact.gap >= deepest.gap) continue;
+        if (!is_impact(contact) || contact.gap >= deepest.gap) continue;
         CAMBRIAN_TICK_ASSERT(!(contact.gap > kContactMargin), "a near contact");
         if (contacts.covers(contact)) continue;
         deepest = {true, contact.gap, contact.closing_speed};
@@ -49,12 +55,39 @@ bool has_new_impact(const ContactSolver& contacts) {
     return deepest_new_contact(contacts).gap < 0.0;
 }
 
+Crossing find_crossing(const PlanarModel& model, const ContactLaw& law, const StepEnds& step,
+                       int parts, ContactSolver& contacts) {
+    CAMBRIAN_TICK_ASSERT(parts > 1, "something to look at");
+    Motion motion;
+    Kinematics kinematics = {};
+    Crossing crossing;
+    for (int look = 1; look < parts; ++look) {
+        const double share = static_cast<double>(look) / parts;
+        interpolate_motion(coordinate_slots(model), step, share, motion);
+        compute_kinematics(model, motion, kinematics);
+        contacts.detect(model, law, kinematics);
+        bool is_new = false;
+        for (int c = 0; c < contacts.near().count; ++c) {
+            const Contact& contact = contacts.near().items[c];
+            if (is_on_ground(contact) || contact.gap >= 0.0) continue;
+            if (contacts.covers(contact))
+                crossing.depth = std::max(crossing.depth, -contact.gap);
+            else
+                is_new = is_new || is_impact(contact);
+        }
+        if (!is_new) continue;
+        crossing.share = share;
+        break;
+    }
+    return crossing;
+}
+
 double find_impact(const PlanarModel& model, const ContactLaw& law, const StepEnds& step,
-                   ContactSolver& contacts, Motion& motion, Kinematics& kinematics) {
+                   double until, ContactSolver& contacts, Motion& motion, Kinematics& kinematics) {
     CAMBRIAN_TICK_ASSERT(step.length > 0.0, "a step takes time");
     double low = 0.0;
-    double high = 1.0;
-    double share = next_share(low, high, 1.0, deepest_new_contact(contacts), step.length);
+    double high = until;
+    double share = next_share(low, high, until, deepest_new_contact(contacts), step.length);
     for (int round = 0; round < kMaxRounds; ++round) {
         interpolate_motion(coordinate_slots(model), step, share, motion);
         compute_kinematics(model, motion, kinematics);

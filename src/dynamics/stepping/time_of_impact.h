@@ -12,10 +12,21 @@ namespace cambrian {
 // deeper than the contact band. The solver must have detected the contacts there.
 bool has_new_impact(const ContactSolver& contacts);
 
-// Returns the share of the step, in (0, 1], at which no new contact penetrates and one new contact
-// is inside the contact band. Motion, kinematics and the solver's near contacts are then those at
-// this share.
+// What boxes do to each other within a step.
+struct Crossing {
+    double share = 1.0;  // of the step, at which a new contact penetrates; 1 if none does
+    double depth = 0.0;  // m; deepest penetration up to there, of contacts that were selected
+};
+
+// Looks at the motion at the ends of equal parts of a step, but for its own ends. Afterwards the
+// solver's near contacts are those of the last look. It is rare, so it is not inlined.
+[[gnu::noinline]] Crossing find_crossing(const PlanarModel& model, const ContactLaw& law,
+                                         const StepEnds& step, int parts, ContactSolver& contacts);
+
+// Returns the share of the step, in (0, `until`], at which no new contact penetrates and one new
+// contact is inside the contact band. Motion, kinematics and the solver's near contacts are then
+// those at this share. Before, the near contacts are those at `until`.
 double find_impact(const PlanarModel& model, const ContactLaw& law, const StepEnds& step,
-                   ContactSolver& contacts, Motion& motion, Kinematics& kinematics);
+                   double until, ContactSolver& contacts, Motion& motion, Kinematics& kinematics);
 
 }  // namespace cambrian

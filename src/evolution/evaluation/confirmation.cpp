@@ -14,9 +14,10 @@ namespace {
 // Greatest difference of an accurate score, relative to it.
 constexpr double kAccuracy = 0.1;
 
-// Returns whether another trial of the creature can change its score.
-bool unconfirmed(const EvaluationResult& result) {
-    return result.outcome == Outcome::kCompleted && result.fitness > 0.0 && result.scores.empty();
+// Returns whether other worlds can lower the creature's score.
+bool unconfirmed(const EvaluationResult& result, double least_score) {
+    return result.outcome == Outcome::kCompleted && result.fitness > least_score &&
+           result.scores.empty();
 }
 
 }  // namespace
@@ -30,14 +31,17 @@ bool is_accurate(const Individual& individual, const ConfirmingTrials& trials) {
                                  trials.stop))
         return false;
     const double score = individual.result.fitness;
-    return std::fabs(completed_score(*result) - score) <= kAccuracy * std::fabs(score);
+    return result->outcome == Outcome::kCompleted &&
+           std::fabs(result->fitness - score) <= kAccuracy * std::fabs(score);
 }
 
 bool Confirmation::confirm(std::vector<IndividualPtr>& ranked, const Survivors& survivors,
                            std::span<const Probe> probes, const ConfirmingTrials& trials) {
     while (!probes.empty()) {
         std::vector<std::size_t> places = survivors(ranked);
-        std::erase_if(places, [&](std::size_t i) { return !unconfirmed(ranked[i]->result); });
+        std::erase_if(places, [&](std::size_t i) {
+            return !unconfirmed(ranked[i]->result, trials.least_score);
+        });
         if (places.empty()) return true;
         std::vector<IndividualPtr> creatures;
         creatures.reserve(places.size());
@@ -74,7 +78,7 @@ bool Confirmation::try_again(const std::vector<IndividualPtr>& creatures,
     const bool whole =
         trials.backend.evaluate(requests, results, trials.settings, trials.progress, trials.stop);
     for (std::size_t i = 0; i < results.size(); ++i) {
-        if (results[i]) tried_.emplace(keys[i], completed_score(*results[i]));
+        if (results[i]) tried_.emplace(keys[i], results[i]->fitness);
     }
     return whole;
 }

@@ -2,8 +2,8 @@
 
 // Confirmation reduces the influence of chance. Survivors are evaluated again in a few slightly
 // different worlds (probe.h), and their fitness becomes the median of all scores. Creatures that
-// take the place of a survivor whose score fell are evaluated again too, until every survivor has
-// been.
+// take the place of a survivor whose score fell
+// are evaluated again too, until every survivor has been.
 
 #include "evolution/evaluation/evaluation_backend.h"
 #include "evolution/evaluation/probe.h"
@@ -25,6 +25,7 @@ struct ConfirmingTrials {
     const ExperimentSettings& settings;
     EvaluationProgress& progress;
     std::stop_token stop;
+    double least_score = 0.0;  // of the goal (GoalKind); a creature that has it is not tried again
 };
 
 // Returns whether the creature's score differs from that of the trials by at most a tenth. The

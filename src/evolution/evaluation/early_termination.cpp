@@ -35,8 +35,8 @@ double best_speed(const TrialRecord& record) {
 TrialRecord ran_on(TrialRecord record, const Vec3& velocity) {
     const MotionSample last = record.samples.back();
     for (double time = kBrainTick; time < record.duration - last.time; time += kBrainTick) {
-        const double moved = time * velocity.y();
-        record.jumps.watch(last.bounds.low.y() + moved, last.center_of_mass.y() + moved);
+        const Vec3 center = last.center_of_mass + time * velocity;
+        record.jumps.watch(last.bounds.low.y() + time * velocity.y(), center.dot(record.up));
     }
     while (record.samples.back().time < record.duration) {
         MotionSample next = last;

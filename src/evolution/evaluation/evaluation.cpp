@@ -29,8 +29,8 @@ EvaluationResult describe(const Phenotype& phenotype, const ExperimentSettings& 
     return result;
 }
 
-void fail(EvaluationResult& result, Outcome outcome, std::string reason) {
-    result.fitness = 0.0;
+void fail(EvaluationResult& result, const GoalKind& goal, Outcome outcome, std::string reason) {
+    result.fitness = goal.least_score;
     result.outcome = outcome;
     result.reason = std::move(reason);
 }
@@ -55,7 +55,7 @@ struct Marks {
 // Shaking scales the score down; see simulator/README.md 2.
 Marks marks_of(const TrialRecord& record, const GoalKind& goal, const TrialSettings& trial) {
     if (record.outcome != Outcome::kCompleted && record.outcome != Outcome::kStoppedEarly)
-        return {};
+        return {goal.least_score, {}};
     Marks marks{goal.score(record).value, {}};
     if (goal.shares != nullptr) marks.shares = goal.shares(record);
     const double shaking = record.reversal_rate / trial.max_reversal_rate;
@@ -87,8 +87,10 @@ FinerTrial run_finer(const std::shared_ptr<const Phenotype>& phenotype,
     TrialWorld world = first_trial_world(settings);
     world.scene = finer_settings(world.scene, kinds.creature.scene);
     const auto record = run_trial(phenotype, kinds.creature, world, stop);
-    if (!record) return {{.outcome = Outcome::kRejected}, record.error().message};
-    Marks marks = marks_of(*record, goal_of(settings, kinds), settings.world.trial);
+    const GoalKind& goal = goal_of(settings, kinds);
+    if (!record)
+        return {{.outcome = Outcome::kRejected, .score = goal.least_score}, record.error().message};
+    Marks marks = marks_of(*record, goal, settings.world.trial);
     return {{.outcome = record->outcome, .score = marks.score, .verdict = judge(*record)},
             record->reason,
             std::move(marks)};
@@ -104,7 +106,8 @@ void settle_suspicion(JudgedTrial& judged, const std::shared_ptr<const Phenotype
     judged.result.fitness = finer.marks.score;
     judged.shares = std::move(finer.marks.shares);
     if (finer.result.outcome != Outcome::kCompleted)
-        fail(judged.result, finer.result.outcome, "when computed more finely: " + finer.reason);
+        fail(judged.result, goal_of(settings, kinds), finer.result.outcome,
+             "when computed more finely: " + finer.reason);
 }
 
 }  // namespace
@@ -119,21 +122,21 @@ JudgedTrial judge_trial(const EvaluationRequest& request, const ExperimentSettin
     const auto phenotype = grow(*request.genome, settings, kinds);
     JudgedTrial judged{.result = describe(*phenotype, settings)};
     EvaluationResult& result = judged.result;
+    const GoalKind& goal = goal_of(settings, kinds);
     if (!phenotype->can_move() || !phenotype->has_live_control) {
-        fail(result, Outcome::kRejected,
+        fail(result, goal, Outcome::kRejected,
              phenotype->can_move() ? "every effector hears only constants" : "no joint can move");
         return judged;
     }
     if (settings.expression.strict_overlap && overlaps_itself(phenotype->plan)) {
-        fail(result, Outcome::kRejected, "parts overlap that no joint ties together");
+        fail(result, goal, Outcome::kRejected, "parts overlap that no joint ties together");
         return judged;
     }
-    const GoalKind& goal = goal_of(settings, kinds);
     const auto threshold = goal.may_give_up ? request.threshold : std::nullopt;
     const auto trial = run_terminable_trial(phenotype, kinds.creature, first_trial_world(settings),
                                             {goal, threshold, stop});
     if (!trial) {
-        fail(result, Outcome::kRejected, trial.error().message);
+        fail(result, goal, Outcome::kRejected, trial.error().message);
         return judged;
     }
     const TrialRecord* record = &trial->record;
@@ -152,10 +155,11 @@ JudgedTrial judge_trial(const EvaluationRequest& request, const ExperimentSettin
     result.fitness = marks.score;
     judged.shares = std::move(marks.shares);
     const bool whole = record->outcome == Outcome::kCompleted;
-    const bool worth = result.fitness > 0.0 || !judged.shares.empty();
+    const bool worth = result.fitness > goal.least_score || !judged.shares.empty();
     if (whole && worth && result.verdict == AuditVerdict::kSuspect)
         settle_suspicion(judged, phenotype, settings, kinds, stop);
-    if (!std::isfinite(result.fitness)) fail(result, Outcome::kDiverged, "the score is not finite");
+    if (!std::isfinite(result.fitness))
+        fail(result, goal, Outcome::kDiverged, "the score is not finite");
     return judged;
 }
 

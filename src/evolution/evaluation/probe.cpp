@@ -36,6 +36,8 @@ ExperimentSettings probed_world(const Probe& probe, const ExperimentSettings& se
          {&world.gravity, &world.friction, &world.viscosity_linear, &world.viscosity_quadratic})
         *number *= 1.0 + share * stream.uniform(-1.0, 1.0);
     creature.root_angle = wrap_angle(creature.root_angle + share * stream.uniform(-1.0, 1.0));
+    if (world.has_ground)
+        changed.world.tilt = settings.selection.confirm_tilt * stream.uniform(-1.0, 1.0);
     double& step = changed.world.scene.contact_step;
     if (probe.finer) step = std::max(std::min(step, kLeastContactStep), kFiner * step);
     return changed;

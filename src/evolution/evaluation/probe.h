@@ -24,7 +24,8 @@ std::vector<Probe> probes_of(const ExperimentSettings& settings, std::uint32_t g
                              int count);
 
 // Returns the settings of the probe's world. Gravity, friction and drag change by at most the share
-// in the settings. The creature is turned by at most as many radians.
+// in the settings. The creature is turned by at most as many radians. The ground slopes by at most
+// the angle in the settings.
 ExperimentSettings probed_world(const Probe& probe, const ExperimentSettings& settings,
                                 Genome& creature);
 

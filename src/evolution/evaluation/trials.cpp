@@ -43,7 +43,7 @@ void combine(EvaluationResult& all, const EvaluationResult& next, bool minimum, 
     if (next.outcome != Outcome::kCompleted) {
         all.outcome = next.outcome;
         all.reason = "in a further trial: " + next.reason;
-        all.fitness = 0.0;
+        all.fitness = next.fitness;  // the least
         return;
     }
     all.fitness =
@@ -116,9 +116,8 @@ double held_out_score(const GenomePtr& genome, const ExperimentSettings& setting
     held_out.world.trial.draw = 0;
     held_out.world.trial.trials = kHeldOutTrials;
     const std::uint64_t seed = stream_seed({trial_seed(held_out), kHeldOut});
-    const EvaluationResult result =
-        evaluate_in_trials({.genome = genome, .trial_seed = seed}, held_out, kinds, stop);
-    return completed_score(result);
+    return evaluate_in_trials({.genome = genome, .trial_seed = seed}, held_out, kinds, stop)
+        .fitness;
 }
 
 ExperimentSettings accurate_settings(const ExperimentSettings& settings,
@@ -142,7 +141,7 @@ std::vector<double> scores_in(std::span<const Probe> probes, const GenomePtr& ge
         const EvaluationResult result = evaluate_in_trials(
             {.genome = genome, .trial_seed = trial_seed(settings), .probe = probe}, settings, kinds,
             stop);
-        scores.push_back(completed_score(result));
+        scores.push_back(result.fitness);
     }
     return scores;
 }

@@ -33,8 +33,8 @@ EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
                                     const ExperimentSettings& settings, const EvolutionKinds& kinds,
                                     const std::stop_token& stop = {});
 
-// Returns the score in eight trials whose light has places that no generation uses; 0 if one
-// fails.
+// Returns the score in eight trials whose light has places that no generation uses; the least of
+// the goal if one fails.
 double held_out_score(const GenomePtr& genome, const ExperimentSettings& settings,
                       const EvolutionKinds& kinds, const std::stop_token& stop = {});
 
@@ -43,8 +43,8 @@ double held_out_score(const GenomePtr& genome, const ExperimentSettings& setting
 ExperimentSettings accurate_settings(const ExperimentSettings& settings,
                                      const EvolutionKinds& kinds);
 
-// The creature's score in each probe's world; 0 for a trial that fails. After a stop request there
-// are fewer.
+// The creature's score in each probe's world; the least of the goal for a trial that fails. After a
+// stop request there are fewer.
 std::vector<double> scores_in(std::span<const Probe> probes, const GenomePtr& genome,
                               const ExperimentSettings& settings, const EvolutionKinds& kinds,
                               const std::stop_token& stop = {});

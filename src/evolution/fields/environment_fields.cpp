@@ -25,12 +25,12 @@ void later(SettingField& field, bool (*applies)(const Settings&)) {
 
 void add_jumps(TableBuilder& world) {
     later(world.number(
-              "light-nearest", "Light, nearest", "rest lengths", Range{0.1, 100},
+              "light-nearest", "Light, nearest", "body lengths", Range{0.1, 100},
               "The least distance of a jump of the light from the creature's center of mass.",
               [](Settings & s) -> auto& { return s.world.environment.light_nearest; }),
           jumps);
     later(world.number(
-              "light-farthest", "Light, farthest", "rest lengths", Range{0.1, 100},
+              "light-farthest", "Light, farthest", "body lengths", Range{0.1, 100},
               "The greatest distance of a jump of the light. Slow creatures need shorter ways.",
               [](Settings & s) -> auto& { return s.world.environment.light_farthest; }),
           jumps);

@@ -51,13 +51,24 @@ void add_confirmation(TableBuilder& selection) {
         "The number of slightly different worlds in which creatures that would survive are tried "
         "again. Their score is then the median of all trials.",
         [](Settings & s) -> auto& { return s.selection.confirmations; });
+    const auto confirms = [](const Settings& settings) {
+        return settings.selection.confirmations > 0;
+    };
     selection
         .number(
             "confirm-jitter", "Confirmation jitter", "", Range{0, 0.2},
             "The largest relative change of gravity, friction and drag in these worlds, and the "
             "largest change of the start pose in rad.",
             [](Settings & s) -> auto& { return s.selection.confirm_jitter; })
-        .applies = [](const Settings& settings) { return settings.selection.confirmations > 0; };
+        .applies = confirms;
+    SettingField& tilt = selection.number(
+        "confirm-tilt", "Confirmation tilt", "deg", Range{0, 30},
+        "The largest slope of the ground in these worlds, to one side in the first half of the "
+        "trial "
+        "and to the other in the second.",
+        [](Settings & s) -> auto& { return s.selection.confirm_tilt; });
+    tilt.later = true;
+    tilt.applies = confirms;
 }
 
 void add_own_settings(TableBuilder& selection, const SelectionRegistry& selections) {

@@ -21,7 +21,7 @@ using setting_table::Range;
 using setting_table::Settings;
 using setting_table::TableBuilder;
 
-void add_run(std::vector<SettingField>& fields) {
+void add_run(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
     TableBuilder run(fields, "run");
     run.number(
            "seed", "Seed", "", Range{0, 1e15},
@@ -41,10 +41,18 @@ void add_run(std::vector<SettingField>& fields) {
         "The best fitness at which an unattended run stops. 0 means no target.",
         [](Settings & s) -> auto& { return s.target_fitness; });
     run.flag(
-        "stop-hopeless", "Early termination",
-        "A trial ends as soon as the creature could not survive even at 1.5 times its best speed. "
-        "The first 30 such trials and 10 % of the later ones run to their end, to check the rule.",
-        [](Settings & s) -> auto& { return s.terminate_early; });
+           "stop-hopeless", "Early termination",
+           "A trial ends as soon as the creature could not survive even at 1.5 times its best "
+           "speed. The first 30 such trials and 10 % of the later ones run to their end, to check "
+           "the rule. It has an effect with one trial a creature, in walking, swimming and "
+           "jumping, where the best share survives.",
+           [](Settings & s) -> auto& { return s.terminate_early; })
+        .applies = [&kinds](const Settings& s) {
+        const GoalKind* goal = kinds.goals.find(s.goal);
+        const SelectionKind* selection = kinds.selections.find(s.selection.method);
+        return goal != nullptr && goal->may_give_up && selection != nullptr &&
+               may_terminate_early(*selection, s);
+    };
 }
 
 void add_simulation(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
@@ -306,35 +314,11 @@ Status check_order(double low, double high, const char* low_key, const char* hig
                              short_text(high))};
 }
 
-Status check_early_termination(const Settings& s, const EvolutionKinds& kinds) {
-    if (!s.terminate_early) return {};
-    const GoalKind* goal = kinds.goals.find(s.goal);
-    if (goal != nullptr && !goal->may_give_up) {
-        return Error{
-            fmt::format("[run] stop-hopeless: not with [goal] behavior \"{}\", whose score may "
-                        "still rise by more than speed so far tells",
-                        s.goal)};
-    }
-    const SelectionKind* selection = kinds.selections.find(s.selection.method);
-    if (selection != nullptr && !may_terminate_early(*selection, s.selection)) {
-        return Error{fmt::format(
-            "[run] stop-hopeless: not with [selection] method \"{}\", where the least fit may "
-            "matter; allowed with truncation, rank and tournaments of survivors",
-            s.selection.method)};
-    }
-    if (s.world.trial.trials > 1) {
-        return Error{fmt::format("[run] stop-hopeless: needs [trial] trials = 1, which is {}",
-                                 s.world.trial.trials)};
-    }
-    return {};
-}
-
 // Rejects settings that are in range one by one but contradict one another.
 Status check_together(const Settings& s, const EvolutionKinds& kinds) {
     if (Status order = setting_table::check_founders(s); !order) return order;
     if (Status order = setting_table::check_light(s); !order) return order;
     if (Status goal = setting_table::check_goal(s, kinds); !goal) return goal;
-    if (Status cutting = check_early_termination(s, kinds); !cutting) return cutting;
     if (const auto excess = trial_excess(s.world)) return Error{"[trial] duration: " + *excess};
     return setting_table::check_creatures(s, kinds);
 }
@@ -433,7 +417,7 @@ std::string path_of(const SettingField& field) {
 
 std::vector<SettingField> setting_fields(const EvolutionKinds& kinds) {
     std::vector<SettingField> fields;
-    add_run(fields);
+    add_run(fields, kinds);
     setting_table::add_goal(fields, kinds);
     setting_table::add_environment(fields);
     add_simulation(fields, kinds);

@@ -26,10 +26,6 @@ double unconfirmed_score(const EvaluationResult& result) {
     return result.scores.empty() ? result.fitness : result.scores.front();
 }
 
-double completed_score(const EvaluationResult& result) {
-    return result.outcome == Outcome::kCompleted ? result.fitness : 0.0;
-}
-
 IndividualPtr without_score(const Individual& individual) {
     Individual unscored = individual;
     unscored.evaluated = false;
@@ -41,16 +37,27 @@ bool disqualified(const Individual& individual) {
     return is_invalid(individual.result.outcome);
 }
 
+bool fitter(const EvaluationResult& a, const EvaluationResult& b) {
+    const int a_lacks = shortfall(a.outcome);
+    const int b_lacks = shortfall(b.outcome);
+    return a_lacks != b_lacks ? a_lacks < b_lacks : a.fitness > b.fitness;
+}
+
+std::span<const IndividualPtr> furthest(std::span<const IndividualPtr> ranked) {
+    const auto end = std::find_if(ranked.begin(), ranked.end(), [&](const IndividualPtr& one) {
+        return shortfall(one->result.outcome) != shortfall(ranked.front()->result.outcome);
+    });
+    return {ranked.begin(), end};
+}
+
 bool same_body(const Genome& a, const Genome& b) {
     return a.root_angle == b.root_angle &&
            std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), same_part);
 }
 
 bool better(const Individual& a, const Individual& b) {
-    const bool a_invalid = disqualified(a);
-    const bool b_invalid = disqualified(b);
-    if (a_invalid != b_invalid) return b_invalid;
-    if (a.result.fitness != b.result.fitness) return a.result.fitness > b.result.fitness;
+    if (fitter(a.result, b.result)) return true;
+    if (fitter(b.result, a.result)) return false;
     const std::size_t a_genes = gene_count(*a.genome);
     const std::size_t b_genes = gene_count(*b.genome);
     if (a_genes != b_genes) return a_genes < b_genes;

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,9 @@ struct FinerResult {
 };
 
 struct EvaluationResult {
-    double fitness = 0.0;  // that of the finer trial if the first one was suspect; see `scores`
+    // That of the finer trial if the first one was suspect; see `scores`. The least of the goal
+    // (GoalKind::least_score) if a trial failed, and the score of the beginning if it was stopped.
+    double fitness = 0.0;
     Outcome outcome = Outcome::kCompleted;
     std::uint64_t digest = 0;     // digest of the motion, to check replays
     std::uint64_t phenotype = 0;  // phenotype_hash() of the creature that was evaluated
@@ -71,23 +74,26 @@ using IndividualPtr = std::shared_ptr<const Individual>;
 // Returns the score of the first trial in the unchanged world, which a replay reproduces.
 double unconfirmed_score(const EvaluationResult& result);
 
-// Returns the fitness, or 0 if a trial failed.
-double completed_score(const EvaluationResult& result);
-
 // Returns the same creature without its evaluation.
 IndividualPtr without_score(const Individual& individual);
 
-// Returns whether the creature has no valid motion. It ranks last and breeds only if all are
-// disqualified.
+// Returns whether the creature has no valid motion. It ranks last.
 bool disqualified(const Individual& individual);
+
+// Returns whether a is fitter than b. Whoever came further in its trial is (shortfall()), whatever
+// the scores are; of two that came equally far, the one with the higher score is.
+bool fitter(const EvaluationResult& a, const EvaluationResult& b);
+
+// Returns the creatures at the head of a ranking that came as far as its first: those that
+// completed their trials or, if there are none, those that came nearest.
+std::span<const IndividualPtr> furthest(std::span<const IndividualPtr> ranked);
 
 // Returns whether two genomes agree in all genes of parts, edges and root. Neurons, effectors and
 // organs may differ.
 bool same_body(const Genome& a, const Genome& b);
 
-// Returns whether a ranks before b: those with a valid motion first, then the fitter first, then
-// fewer nodes and neurons, then older uid. The order is total and reproducible (evolution/README.md
-// 1).
+// Returns whether a ranks before b: the fitter first, then fewer nodes and neurons, then older uid.
+// The order is total and reproducible (evolution/README.md 1).
 bool better(const Individual& a, const Individual& b);
 
 }  // namespace cambrian

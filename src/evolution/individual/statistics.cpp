@@ -35,14 +35,16 @@ GenerationStatistics summarize(std::span<const IndividualPtr> ranked, std::uint3
     summary.best_lowest = scores.empty() ? summary.best : *range.first;
     summary.best_highest = scores.empty() ? summary.best : *range.second;
     summary.progress_mark = summary.best;
-    summary.upper = quantile(ranked, 0.9);
-    summary.median = quantile(ranked, 0.5);
-    summary.lower = quantile(ranked, 0.1);
+    const std::span<const IndividualPtr> scored = furthest(ranked);
+    summary.upper = quantile(scored, 0.9);
+    summary.median = quantile(scored, 0.5);
+    summary.lower = quantile(scored, 0.1);
+    for (const IndividualPtr& individual : scored)
+        summary.mean += individual->result.fitness / static_cast<double>(scored.size());
     const double count = static_cast<double>(ranked.size());
     std::set<std::uint64_t> hashes;
     for (const IndividualPtr& individual : ranked) {
         const EvaluationResult& result = individual->result;
-        summary.mean += result.fitness / count;
         summary.invalid_share += (disqualified(*individual) ? 1.0 : 0.0) / count;
         summary.mean_parts += result.parts / count;
         summary.mean_neurons += result.neurons / count;

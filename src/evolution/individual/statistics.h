@@ -23,8 +23,9 @@ void put_most_first(std::vector<LineBirths>& births);
 struct GenerationStatistics {
     std::uint32_t generation = 0;
     int size = 0;
-    int evaluations = 0;       // different trials that were run, confirmations included
-    int confirmations = 0;     // trials in slightly different worlds that confirm scores
+    int evaluations = 0;    // different trials that were run, confirmations included
+    int confirmations = 0;  // trials in slightly different worlds that confirm scores
+    // Of those that completed their trials or, if there are none, of those that came furthest.
     double best = 0.0;         // fitness
     double best_lowest = 0.0;  // lowest score of the best creature in all its worlds
     double best_highest = 0.0;

@@ -26,7 +26,7 @@ SelectionResult select_by_age(std::span<const IndividualPtr> ranked,
                               const ExperimentSettings& settings, SelectionMemory& /*memory*/,
                               RandomStream& stream) {
     std::vector<std::size_t> survivors =
-        young_or_fit(qualified(ranked), static_cast<std::size_t>(settings.population.size));
+        young_or_fit(furthest(ranked), static_cast<std::size_t>(settings.population.size));
     std::vector<double> weights(ranked.size(), 0.0);
     for (const std::size_t survivor : survivors)
         weights[survivor] = 1.0;

@@ -16,7 +16,7 @@ constexpr double kLeastShare = 0.1;
 
 bool takes_over(const Individual& challenger, const Individual& holder) {
     if (challenger.result.fitness != holder.result.fitness)
-        return challenger.result.fitness > holder.result.fitness;
+        return fitter(challenger.result, holder.result);
     if (challenger.born != holder.born) return challenger.born < holder.born;
     return challenger.uid < holder.uid;
 }

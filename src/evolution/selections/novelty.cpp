@@ -81,7 +81,7 @@ std::vector<ParetoPoint> judge_novelty(std::span<const IndividualPtr> population
     for (std::size_t i = 0; i < population.size() && near > 0; ++i) {
         for (const Neighbor& other : search.nearest(i, near)) {
             points[i].first += other.distance / static_cast<double>(near);
-            const bool beaten = all[other.point]->result.fitness < population[i]->result.fitness;
+            const bool beaten = fitter(population[i]->result, all[other.point]->result);
             points[i].second += beaten ? 1.0 : 0.0;
         }
     }
@@ -120,7 +120,7 @@ std::vector<std::size_t> most_novel(std::span<const ParetoPoint> points, std::si
 SelectionResult select_by_novelty(std::span<const IndividualPtr> ranked,
                                   const ExperimentSettings& settings, SelectionMemory& memory,
                                   RandomStream& stream) {
-    const auto candidates = qualified(ranked);
+    const auto candidates = furthest(ranked);
     const auto points = judge_novelty(candidates, memory, kNeighbors.of(settings.selection.own));
     update_archive(candidates, points, kThreshold.of(settings.selection.own), memory);
     std::vector<std::size_t> survivors =

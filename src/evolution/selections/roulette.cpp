@@ -34,7 +34,7 @@ SelectionResult select_by_roulette(std::span<const IndividualPtr> ranked,
     const int elites = std::min(settings.selection.elites, settings.population.size - 1);
     return breed_by_weight(
         first_of_ranking(ranked, static_cast<std::size_t>(elites), settings.population.max_clones),
-        sigma_scaled(qualified(ranked), ranked.size()), settings, stream);
+        sigma_scaled(furthest(ranked), ranked.size()), settings, stream);
 }
 
 void add_roulette_settings(SelectionRows& rows) {

@@ -70,19 +70,6 @@ private:
     std::map<std::uint64_t, std::size_t> of_plan_;
 };
 
-// Returns the creatures that finished a trial and rank before the first that failed or was
-// rejected, which has the score 0. Between them are creatures whose trial was terminated early,
-// with the score of its beginning.
-std::vector<std::size_t> finished(std::span<const IndividualPtr> ranked) {
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < ranked.size(); ++i) {
-        const Outcome outcome = ranked[i]->result.outcome;
-        if (outcome == Outcome::kCompleted) places.push_back(i);
-        if (outcome != Outcome::kCompleted && outcome != Outcome::kStoppedEarly) break;
-    }
-    return places;
-}
-
 }  // namespace
 
 std::vector<std::size_t> everybody(std::span<const IndividualPtr> ranked) {
@@ -98,11 +85,25 @@ std::vector<std::size_t> first_of_ranking(std::span<const IndividualPtr> ranked,
     return seats.survivors();
 }
 
-double least_fitness(std::span<const IndividualPtr> ranked, std::span<const std::size_t> places) {
-    double least = ranked[places.front()]->result.fitness;
-    for (const std::size_t place : places)
-        least = std::min(least, ranked[place]->result.fitness);
-    return least;
+std::vector<double> leads(std::span<const IndividualPtr> ranked,
+                          std::span<const std::size_t> places) {
+    const EvaluationResult& best = ranked[places.front()]->result;
+    const auto came_as_far = [&](std::size_t place) {
+        return shortfall(ranked[place]->result.outcome) == shortfall(best.outcome);
+    };
+    double worst = best.fitness;
+    for (const std::size_t place : places) {
+        if (came_as_far(place)) worst = std::min(worst, ranked[place]->result.fitness);
+    }
+    const double range = best.fitness - worst;
+    std::vector<double> result;
+    result.reserve(places.size());
+    for (const std::size_t place : places) {
+        const double lead = ranked[place]->result.fitness - worst;
+        const double share = range > 0.0 ? lead / range : 1.0;
+        result.push_back(came_as_far(place) ? share : 0.0);
+    }
+    return result;
 }
 
 std::size_t truncated_size(const PopulationSettings& population) {
@@ -115,7 +116,7 @@ std::vector<std::size_t> truncated(std::span<const IndividualPtr> ranked,
     const std::size_t wanted = truncated_size(settings.population);
     const SurvivalLimits limits = survival_limits(settings);
     Seats seats(ranked, wanted, settings.population.max_clones);
-    const std::vector<std::size_t> candidates = finished(ranked);
+    const std::vector<std::size_t> candidates = everybody(furthest(ranked));
     seats.seat(candidates, limits);
     seats.seat(candidates, {.line = limits.line});
     seats.seat(candidates, {});
@@ -139,16 +140,9 @@ SurvivalLimits survival_limits(const ExperimentSettings& settings) {
     return limits;
 }
 
-bool may_terminate_early(const SelectionKind& kind, const SelectionSettings& settings) {
-    return kind.survival_under(settings) == SurvivalRule::kBestShare;
-}
-
-std::span<const IndividualPtr> qualified(std::span<const IndividualPtr> ranked) {
-    const auto end =
-        std::find_if(ranked.begin(), ranked.end(),
-                     [](const IndividualPtr& individual) { return disqualified(*individual); });
-    const auto count = static_cast<std::size_t>(end - ranked.begin());
-    return count == 0 ? ranked : ranked.first(count);
+bool may_terminate_early(const SelectionKind& kind, const ExperimentSettings& settings) {
+    return kind.survival_under(settings.selection) == SurvivalRule::kBestShare &&
+           settings.world.trial.trials == 1;
 }
 
 Places share_places(std::size_t places, const ExperimentSettings& settings) {

@@ -19,17 +19,19 @@ std::vector<std::size_t> everybody(std::span<const IndividualPtr> ranked);
 std::vector<std::size_t> first_of_ranking(std::span<const IndividualPtr> ranked, std::size_t wanted,
                                           int max_clones);
 
-// Returns the lowest fitness of some of the ranking. It may be that of one before the last, since
-// the disqualified come last, with fitness 0, even where others have less. There must be some.
-double least_fitness(std::span<const IndividualPtr> ranked, std::span<const std::size_t> places);
+// Returns how far each of some of the ranking leads the least fit of those of them that came as far
+// as the first, from 0 for that one to 1 for the first; 1 for all of these if they are equal, and 0
+// for those that came less far. `places` are ascending and not empty.
+std::vector<double> leads(std::span<const IndividualPtr> ranked,
+                          std::span<const std::size_t> places);
 
 // Returns the number of survivors of truncation: the settings' share of the population, at least
 // one.
 std::size_t truncated_size(const PopulationSettings& population);
 
 // Returns the survivors of truncation. The settings limit the survivors of one founder's line and
-// of one body plan. If too few others have a score, the limit on plans is dropped first, then that
-// on lines.
+// of one body plan. If too few others completed their trials, the limit on plans is dropped first,
+// then that on lines, and then those survive that did not complete theirs.
 std::vector<std::size_t> truncated(std::span<const IndividualPtr> ranked,
                                    const ExperimentSettings& settings);
 
@@ -37,19 +39,16 @@ std::vector<std::size_t> truncated(std::span<const IndividualPtr> ranked,
 SurvivalRule best_share(const SelectionSettings& settings);
 
 // The largest numbers of survivors of truncated() that are of one founder's line and of one body
-// plan, unless too few others have a score. Nothing means that there is no limit.
+// plan, unless too few others completed their trials. Nothing means that there is no limit.
 struct SurvivalLimits {
     std::optional<std::size_t> line = std::nullopt;
     std::optional<std::size_t> plan = std::nullopt;
 };
 SurvivalLimits survival_limits(const ExperimentSettings& settings);
 
-// Returns whether creatures below the survivors have no effect, so that their trials may end early.
-bool may_terminate_early(const SelectionKind& kind, const SelectionSettings& settings);
-
-// Returns the creatures that were not disqualified, which come first in the ranking; all creatures
-// if there are none.
-std::span<const IndividualPtr> qualified(std::span<const IndividualPtr> ranked);
+// Returns whether creatures below the survivors have no effect, so that their trials may end early,
+// and every creature has only one trial, whose end decides alone.
+bool may_terminate_early(const SelectionKind& kind, const ExperimentSettings& settings);
 
 // The numbers of offspring and of random immigrants among `places`.
 struct Places {

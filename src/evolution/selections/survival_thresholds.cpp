@@ -2,6 +2,8 @@
 
 #include "evolution/selections/survival.h"
 
+#include <cmath>
+
 namespace cambrian {
 namespace {
 
@@ -11,18 +13,25 @@ constexpr double kShareOfWorst = 0.5;
 // The worst of a full line can also lose its place to a creature of another line but its own plan.
 constexpr double kShareOfLine = 0.8;
 
+// Lowers a score by a share of its size; one that is negative becomes more so.
+double lowered_to(double share, double score) {
+    return score - (1.0 - share) * std::fabs(score);
+}
+
 }  // namespace
 
 SurvivalThresholds::SurvivalThresholds(std::span<const IndividualPtr> survivors,
                                        const ExperimentSettings& settings,
                                        const SelectionKind& selection) {
-    if (survivors.empty() || !may_terminate_early(selection, settings.selection)) return;
+    if (survivors.empty() || !may_terminate_early(selection, settings)) return;
     Group all;
-    for (const IndividualPtr& one : survivors)
+    for (const IndividualPtr& one : survivors) {
+        if (shortfall(one->result.outcome) > 0) return;  // whoever completes its trial survives
         all.add(one->result.fitness);
+    }
     const SurvivalLimits most = survival_limits(settings);
     const bool limited = most.line || most.plan;
-    base_ = limited ? kShareOfWorst * all.worst : all.worst;
+    base_ = limited ? lowered_to(kShareOfWorst, all.worst) : all.worst;
     if (!limited) return;
     most_of_line_ = most.line.value_or(survivors.size() + 1);
     most_of_plan_ = most.plan.value_or(survivors.size() + 1);
@@ -52,7 +61,7 @@ std::optional<double> SurvivalThresholds::of(std::uint64_t line, std::uint64_t p
     std::optional<double> least = base_;
     const auto kin = lines_.find(line);
     if (kin != lines_.end() && kin->second.size == most_of_line_)
-        least = std::max(*least, kShareOfLine * kin->second.worst);
+        least = std::max(*least, lowered_to(kShareOfLine, kin->second.worst));
     // If one of these loses its place, then to a better creature that is as much in the way.
     const auto same = lines_and_plans_.find({line, plan});
     if (same != lines_and_plans_.end() && same->second.size == most_of_plan_)

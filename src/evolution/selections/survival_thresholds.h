@@ -21,7 +21,8 @@ public:
     // Knows no score.
     SurvivalThresholds() = default;
     // The survivors have scores and remain in the population. No score is known if there are none,
-    // or if the selection can let a creature survive or breed that is worse than all of them.
+    // if one of them did not complete its trial, or if the selection can let a creature survive or
+    // breed that is worse than all of them, or if creatures have several trials.
     SurvivalThresholds(std::span<const IndividualPtr> survivors, const ExperimentSettings& settings,
                        const SelectionKind& selection);
 

@@ -45,7 +45,7 @@ SelectionResult select_by_tournament(std::span<const IndividualPtr> ranked,
     if (kOfAll.of(chosen.own)) {
         const auto elites = std::min(static_cast<std::size_t>(chosen.elites), size - 1);
         result.survivors = first_of_ranking(ranked, elites, max_clones);
-        contestants.resize(qualified(ranked).size());
+        contestants.resize(furthest(ranked).size());
         std::iota(contestants.begin(), contestants.end(), std::size_t{0});
     } else {
         result.survivors = truncated(ranked, settings);

@@ -3,7 +3,8 @@
 //
 //     w_i = 0.2 + (f_i - f_S) / (f_1 - f_S)
 //
-// where f_1 is the best and f_S the least fitness of the survivors (all are 1 if these are equal).
+// where f_1 is the best and f_S the least fitness of the survivors that completed their trials (the
+// quotient is 1 if these are equal). Survivors that did not complete theirs have 0.2.
 // Numbers are assigned by stochastic universal sampling. Only differences matter, so fitness may be
 // zero or negative.
 #include "evolution/selections/survival.h"
@@ -17,14 +18,10 @@ constexpr double kWorstWeight = 0.2;
 
 std::vector<double> breeding_weights(std::span<const IndividualPtr> ranked,
                                      std::span<const std::size_t> survivors) {
-    const double best = ranked[survivors.front()]->result.fitness;
-    const double worst = least_fitness(ranked, survivors);
+    const std::vector<double> lead = leads(ranked, survivors);
     std::vector<double> weights(ranked.size(), 0.0);
-    for (const std::size_t index : survivors) {
-        weights[index] =
-            best > worst ? kWorstWeight + (ranked[index]->result.fitness - worst) / (best - worst)
-                         : 1.0;
-    }
+    for (std::size_t i = 0; i < survivors.size(); ++i)
+        weights[survivors[i]] = kWorstWeight + lead[i];
     return weights;
 }
 

@@ -38,6 +38,7 @@ struct SelectionSettings {
     int plan_copies = 2;           // survivors with the same body plan; 0 for no limit
     int confirmations = 2;         // number of other worlds in which survivors are evaluated again
     double confirm_jitter = 0.01;  // relative change of gravity, friction and drag in these
+    double confirm_tilt = 2.0;     // degrees by which the ground slopes in these, to and fro
     ParameterValues own;           // values of the parameters that single methods define
 
     friend bool operator==(const SelectionSettings&, const SelectionSettings&) = default;
@@ -59,7 +60,7 @@ struct ExperimentSettings {
     int max_evaluations = 1'000'000'000;
     double target_fitness = 0.0;  // in the goal's unit; 0 for none
     std::string goal = "walking";
-    bool terminate_early = false;  // terminates trials early that cannot lead to survival
+    bool terminate_early = true;  // terminates trials early that cannot lead to survival
     TrialWorld world;
     PopulationSettings population;
     SelectionSettings selection;

@@ -8,6 +8,7 @@ void adopt_defaults(ExperimentSettings& settings, const GoalKind& goal) {
     settings.world.environment = goal.default_environment();
     settings.world.trial = goal.default_trial;
     settings.selection.confirmations = goal.default_confirmations;
+    settings.terminate_early = goal.default_give_up;
     allow_senses(settings, goal);
 }
 

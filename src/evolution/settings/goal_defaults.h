@@ -5,7 +5,8 @@
 
 namespace cambrian {
 
-// Takes over what suits a goal: environment, protocol of trials, confirmations and senses.
+// Takes over what suits a goal: environment, protocol of trials, their early
+// termination, confirmations and senses.
 void adopt_defaults(ExperimentSettings& settings, const GoalKind& goal);
 
 // If the goal is impossible in the environment, takes over the first one that is possible there

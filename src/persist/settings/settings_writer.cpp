@@ -13,8 +13,8 @@ constexpr std::size_t kCommentColumn = 30;
 
 constexpr const char* kExperimentHead =
     "# The settings of one experiment: `cambrian evolve THIS-FILE` evolves under them.\n"
-    "# A key left out has its default; those of [environment], [trial] and confirmations\n"
-    "# go with the goal.\n";
+    "# A key left out has its default; those of [environment], [trial], confirmations and\n"
+    "# stop-hopeless go with the goal.\n";
 constexpr const char* kPreserveHead =
     "# The settings of one preserve: `cambrian preserve THIS-FILE` runs it.\n"
     "# A key left out has its default; those of bodies and [environment] go with ground.\n";

@@ -23,8 +23,8 @@ double in_body_lengths(double length, const EvaluationResult& result) {
 CandidateGrade grade_of(const EvaluationResult& result) {
     if (is_invalid(result.outcome) || result.outcome == Outcome::kInterrupted)
         return CandidateGrade::kInvalid;
-    const bool still = result.outcome == Outcome::kRejected ||
-                       result.behavior.stir < kLeastStir * result.body_length;
+    if (result.outcome == Outcome::kRejected) return CandidateGrade::kRejected;
+    const bool still = result.behavior.stir < kLeastStir * result.body_length;
     return still ? CandidateGrade::kStatic : CandidateGrade::kAlive;
 }
 

@@ -27,9 +27,10 @@ std::vector<GridDescriptor> scaled_descriptors(std::span<const IndividualPtr> al
 // Reasons against showing a candidate, from the mildest to the gravest.
 enum class CandidateGrade : std::uint8_t {
     kAlive,
-    kStatic,  // has no joint that moves, or never moved by a hundredth of its length
-    kTwin,    // has the genome of a creature shown, of a parent or of an earlier candidate
-    kInvalid  // has no motion that can be evaluated
+    kStatic,    // never moved by a hundredth of its length
+    kRejected,  // was not simulated, since it has no joint that moves or nothing drives one
+    kTwin,      // has the genome of a creature shown, of a parent or of an earlier candidate
+    kInvalid    // has no motion that can be evaluated
 };
 
 // Grades evaluated candidates. `taken` has the genome hashes of parents and of creatures shown in

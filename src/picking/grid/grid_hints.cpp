@@ -23,12 +23,14 @@ GridHints grid_hints(std::span<const IndividualPtr> creatures) {
     std::vector<double> heights;
     std::vector<double> oddities;
     for (std::size_t i = 0; i < creatures.size(); ++i) {
-        travels.push_back(creatures[i]->result.behavior.travel);
-        heights.push_back(creatures[i]->result.behavior.settled_height);
+        const EvaluationResult& result = creatures[i]->result;
+        const bool completed = result.outcome == Outcome::kCompleted;
+        travels.push_back(completed ? result.behavior.travel : 0.0);
+        heights.push_back(completed ? result.behavior.settled_height : 0.0);
         double sum = 0.0;
         for (const GridDescriptor& other : descriptors)
             sum += distance(descriptors[i], other);
-        oddities.push_back(sum);
+        oddities.push_back(completed ? sum : 0.0);
     }
     return {index_of_greatest(travels), index_of_greatest(heights), index_of_greatest(oddities)};
 }

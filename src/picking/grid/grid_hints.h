@@ -8,8 +8,8 @@
 
 namespace cambrian {
 
-// Cells that get a badge; empty if no creature has that distinction. Hints are not scores
-// (picking/README.md 1).
+// Cells that get a badge; empty if no creature that completed its trial has that distinction. Hints
+// are not scores (picking/README.md 1).
 struct GridHints {
     std::optional<std::size_t> fastest;  // creature that moved the greatest distance from its start
     std::optional<std::size_t> highest;  // tallest creature after settling

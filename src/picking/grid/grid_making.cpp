@@ -12,7 +12,8 @@ namespace {
 // Rounds of breeding before the remaining cells get the least bad candidates.
 constexpr int kMostRounds = 4;
 constexpr std::array kGrades = {CandidateGrade::kAlive, CandidateGrade::kStatic,
-                                CandidateGrade::kTwin, CandidateGrade::kInvalid};
+                                CandidateGrade::kRejected, CandidateGrade::kTwin,
+                                CandidateGrade::kInvalid};
 
 void append(std::vector<IndividualPtr>& all, const std::vector<IndividualPtr>& more) {
     all.insert(all.end(), more.begin(), more.end());

@@ -43,7 +43,7 @@ double stretch(double period, int cells) {
 CommonSenses::CommonSenses(const WorldArea& area, const Environment& environment)
     : environment_(environment),
       torus_(area.torus()),
-      light_(environment, {}, 1.0),
+      light_(environment, {}),
       sounds_(torus_),
       scent_(scent_area(area)),
       plants_(scent_area(area)),

@@ -10,7 +10,8 @@
 namespace cambrian {
 namespace {
 
-constexpr double kGap = 1.0;  // m, from the cube to a creature that is fallen over
+constexpr double kGap = 1.0;  // m, from the cube to what falls over
+constexpr int kHalvings = 50;
 
 BodyPlan cube_plan() {
     PlannedPart cube;
@@ -18,10 +19,20 @@ BodyPlan cube_plan() {
     return {.parts = {cube}};
 }
 
-// Puts a creature at rest to the left or the right of the cube (direction -1 or 1).
+// The place of the cube's centre at the start.
+Vec3 start_of_cube() {
+    return {0.0, kHalfCube, 0.0};
+}
+
+double height_of(const PhysicsScene& scene) {
+    const Bounds bounds = scene.bounds();
+    return bounds.high.y() - bounds.low.y();
+}
+
+// Puts a creature in its start pose to the left or the right of the cube (direction -1 or 1).
 void place_beside(PhysicsScene& scene, int direction) {
     const Bounds bounds = scene.bounds();
-    const double away = kHalfCube + kGap + (bounds.high.y() - bounds.low.y());
+    const double away = kHalfCube + kGap + height_of(scene);
     const double x = direction < 0 ? -away - bounds.high.x() : away - bounds.low.x();
     scene.translate(Vec3(x, kStartClearance - bounds.low.y(), 0.0));
 }
@@ -36,14 +47,37 @@ double distance_to(const PhysicsScene& scene, std::size_t part, const Vec3& poin
     return beyond.norm();
 }
 
+// The shortest distance (m) of a creature to a point.
+double distance_to(const PhysicsScene& scene, const Vec3& point) {
+    double nearest = distance_to(scene, 0, point);
+    for (std::size_t part = 1; part < scene.part_count(); ++part)
+        nearest = std::min(nearest, distance_to(scene, part, point));
+    return nearest;
+}
+
+// Moves a creature along the ground to that distance (m) from the cube, left or right of it. The
+// distance, above the creature's height, falls as its near edge comes from there to the cube.
+void bring_to(PhysicsScene& scene, int direction, double distance) {
+    const Bounds bounds = scene.bounds();
+    const double edge = direction < 0 ? bounds.high.x() : bounds.low.x();
+    double far = direction * distance - edge;
+    double near = direction * kHalfCube - edge;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = 0.5 * (near + far);
+        const Vec3 shift(middle, 0.0, 0.0);
+        (distance_to(scene, start_of_cube() - shift) < distance ? near : far) = middle;
+    }
+    scene.translate(Vec3(far, 0.0, 0.0));
+}
+
 }  // namespace
 
 Bout::Bout(std::shared_ptr<const Phenotype> opponent, const Kinds& kinds, const BoutWorld& world)
     : phenotype_(std::move(opponent)), kinds_(&kinds), settings_(world.scene) {
     if (!phenotype_) return;
-    surroundings_.emplace(world.environment, world.light, phenotype_->rest_length(),
-                          senses_of(*phenotype_, kinds));
+    surroundings_.emplace(world.environment, world.light, senses_of(*phenotype_, kinds));
     creature_ = std::make_unique<Creature>(*phenotype_, kinds, settings_);
+    length_ = phenotype_->rest_length();
     is_present_ = true;
 }
 
@@ -53,7 +87,6 @@ Result<std::unique_ptr<Bout>> Bout::start(std::shared_ptr<const Phenotype> oppon
     std::unique_ptr<Bout> bout(new Bout(std::move(opponent), kinds, world));
     if (Status made = bout->make_scenes(world, own); !made) return made.error();
     place_beside(own, -1);
-    bout->last_distance_ = bout->distance_to_cube(own);
     bout->join(own);
     return bout;
 }
@@ -65,7 +98,7 @@ Status Bout::make_scenes(const BoutWorld& world, const PhysicsScene& own) {
     auto cube = make(cube_plan());
     if (!cube) return cube.error();
     cube_ = std::move(*cube);
-    cube_->translate(Vec3(0.0, kHalfCube, 0.0) - cube_->center_of_mass());
+    cube_->translate(start_of_cube() - cube_->center_of_mass());
     workspace_ = cube_->take_workspace();
     SceneSize size = own.size();
     size += cube_->size();
@@ -81,14 +114,26 @@ Status Bout::make_scenes(const BoutWorld& world, const PhysicsScene& own) {
     return {};
 }
 
-void Bout::hold_rest() {
-    if (is_present_) creature_->hold_rest(*opponent_);
+SceneStatus Bout::settle(PhysicsScene& own, double duration) {
+    if (is_present_) {
+        creature_->hold_rest(*opponent_);
+        is_present_ = opponent_->advance(duration) == SceneStatus::kRunning;
+    }
+    return own.advance(duration);
+}
+
+void Bout::begin(PhysicsScene& own) {
+    const double other_height = is_present_ ? height_of(*opponent_) : 0.0;
+    last_distance_ = kHalfCube + kGap + std::max(height_of(own), other_height);
+    bring_to(own, -1, last_distance_);
+    if (is_present_) bring_to(*opponent_, 1, last_distance_);
+    join(own);
 }
 
 void Bout::act(std::uint64_t tick) {
     if (!is_present_) return;
     LightSource& light = surroundings_->source();
-    if (light.is_on()) light.move(tick, opponent_->center_of_mass());
+    if (light.is_on()) light.move(tick, opponent_->center_of_mass(), length_);
     creature_->act(*opponent_, *surroundings_, kBrainTick);
 }
 
@@ -132,11 +177,7 @@ bool Bout::is_calm() const {
 }
 
 double Bout::distance_to_cube(const PhysicsScene& scene) const {
-    const Vec3 center = cube_->center_of_mass();
-    double nearest = distance_to(scene, 0, center);
-    for (std::size_t part = 1; part < scene.part_count(); ++part)
-        nearest = std::min(nearest, distance_to(scene, part, center));
-    return nearest;
+    return distance_to(scene, cube_->center_of_mass());
 }
 
 BoutDistances Bout::distances(const PhysicsScene& own) const {

@@ -26,17 +26,21 @@ struct BoutWorld {
 
 class Bout {
 public:
-    // Places the cube at x = 0 on the ground, and the opponent to the right of it. Without an
-    // opponent (null), its distance is that of one that never moved. Fails if physics rejects the
-    // opponent, or has no room for all. The kinds must outlive the bout.
-    // Moves the creature that is judged to the left of it. Each creature's near edge is 1 m and its
-    // own height away from the cube.
+    // Places the cube at x = 0 on the ground, the creature that is judged to the left of it, and
+    // the opponent to the right. Fails if physics rejects the opponent, or has no room for all. The
+    // kinds must outlive the bout.
     static Result<std::unique_ptr<Bout>> start(std::shared_ptr<const Phenotype> opponent,
                                                const Kinds& kinds, const BoutWorld& world,
                                                PhysicsScene& own);
 
-    // Have the opponent hold its rest pose, or act, in the next tick.
-    void hold_rest();
+    // Advances both creatures by a tick (s) before the bout, each by itself; the opponent holds its
+    // rest pose. Returns the status of the creature that is judged.
+    SceneStatus settle(PhysicsScene& own, double duration);
+    // Moves both along the ground to the same distance from the cube, which neither can reach by
+    // falling over: 1 m and the greater height from its near face. Without an opponent, its
+    // distance is this one.
+    void begin(PhysicsScene& own);
+    // Has the opponent act in the next tick.
     void act(std::uint64_t tick);
     // Advances all bodies by a tick (s). An opponent whose own motion cannot be computed leaves the
     // bout; its distance stays what it was. After any other failure nothing moves any more.
@@ -81,6 +85,7 @@ private:
     std::unique_ptr<PhysicsScene> cube_, opponent_;
     std::optional<TrialSurroundings> surroundings_;  // of the opponent
     std::unique_ptr<Creature> creature_;             // the opponent
+    double length_ = 0.0;                            // m, of the opponent at rest
     std::unique_ptr<SceneWorkspace> workspace_;
     std::vector<PhysicsScene*> scenes_;  // of all that take part
     std::unique_ptr<JoinedScenes> joined_;

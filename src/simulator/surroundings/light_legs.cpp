@@ -8,8 +8,8 @@ void LightLegs::reserve(std::size_t legs) {
     legs_.reserve(legs);
 }
 
-void LightLegs::begin(double distance) {
-    legs_.push_back({.start = distance, .end = distance, .nearest = distance});
+void LightLegs::begin(double distance, double length) {
+    legs_.push_back({.start = distance, .unit = length, .end = distance, .nearest = distance});
 }
 
 void LightLegs::watch(double distance) {
@@ -23,8 +23,9 @@ void LightLegs::watch(double distance) {
 void LightLegs::rest(std::size_t legs) {
     if (legs_.empty()) return;
     const double distance = legs_.back().end;
+    const double unit = legs_.back().unit;
     while (legs_.size() < legs)
-        legs_.push_back({distance, distance, distance, distance, 1});
+        legs_.push_back({distance, unit, distance, distance, distance, 1});
 }
 
 }  // namespace cambrian

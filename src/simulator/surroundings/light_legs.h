@@ -12,6 +12,7 @@ namespace cambrian {
 
 struct LightLeg {
     double start = 0.0;
+    double unit = 0.0;     // body length at the start, m, the unit of the way that was set
     double end = 0.0;      // so far
     double nearest = 0.0;  // so far
     double mean = 0.0;     // over the ticks so far
@@ -22,8 +23,9 @@ class LightLegs {
 public:
     // Reserves memory for the legs of a trial.
     void reserve(std::size_t legs);
-    // Records the distance at the start of a leg, before its first tick.
-    void begin(double distance);
+    // Records the distance at the start of a leg, before its first tick, and the body's length so
+    // far.
+    void begin(double distance, double length);
     // Records the distance after a tick.
     void watch(double distance);
     // Adds legs with the last distance until there are this many, for a trial that ended at rest.

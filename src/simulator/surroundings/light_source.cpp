@@ -8,7 +8,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kHeight = 0.3;            // rest lengths of the body, above ground
+constexpr double kHeight = 0.3;            // body lengths, above ground
 constexpr double kDark = 1e-6;             // intensity below which there is no direction
 constexpr double kSlowing = 0.5;           // 1/s, damping of a wandering light
 constexpr double kNoise = 0.6;             // m/s^1.5, noise of a wandering light
@@ -41,10 +41,9 @@ void reflect(double& place, double& velocity, double low, double high) {
 
 }  // namespace
 
-LightSource::LightSource(const Environment& environment, const LightDraw& draw, double rest_length)
+LightSource::LightSource(const Environment& environment, const LightDraw& draw)
     : environment_(environment),
       draw_(draw),
-      rest_length_(rest_length),
       moment_{.place = start_of(environment), .noise = RandomStream(leg_seed(draw, kWandering))} {}
 
 void LightSource::set_environment(const Environment& environment) {
@@ -61,12 +60,12 @@ bool LightSource::moves() const {
     return is_on() && environment_.light_motion != "still";
 }
 
-void LightSource::move(std::uint64_t tick, const Vec3& center) {
+void LightSource::move(std::uint64_t tick, const Vec3& center, double length) {
     if (!moves()) return;
     if (environment_.light_motion == "wandering") {
         wander();
     } else if (tick % leg_ticks() == 0) {
-        jump(tick / leg_ticks(), center);
+        jump(tick / leg_ticks(), center, length);
     }
 }
 
@@ -76,13 +75,13 @@ std::uint64_t LightSource::leg_ticks() const {
 }
 
 // Moves the light to the left or right above ground, or in any direction without ground.
-void LightSource::jump(std::uint64_t leg, const Vec3& center) {
+void LightSource::jump(std::uint64_t leg, const Vec3& center, double length) {
     RandomStream stream(leg_seed(draw_, leg));
     const double distance =
-        rest_length_ * stream.uniform(environment_.light_nearest, environment_.light_farthest);
+        length * stream.uniform(environment_.light_nearest, environment_.light_farthest);
     if (environment_.has_ground) {
         const double side = stream.chance(0.5) ? side_of(draw_) : -side_of(draw_);
-        moment_.place = {center.x() + side * distance, kHeight * rest_length_, 0.0};
+        moment_.place = {center.x() + side * distance, kHeight * length, 0.0};
     } else {
         const SineCosine way = sine_cosine(stream.uniform(-kPi, kPi));
         moment_.place = center + distance * Vec3(side_of(draw_) * way.cosine, way.sine, 0.0);

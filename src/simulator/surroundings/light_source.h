@@ -21,14 +21,14 @@ struct LightDraw {
 
 class LightSource {
 public:
-    // rest_length: length of the body at rest, m. The unit of the distance of jumps.
-    LightSource(const Environment& environment, const LightDraw& draw, double rest_length);
+    LightSource(const Environment& environment, const LightDraw& draw);
 
     // Applies an edit by the user. A changed position restarts the light there.
     void set_environment(const Environment& environment);
     // Must be called before each tick of the test phase, numbered from 0, with the creature's
-    // centre of mass, from which the distance of a jump is measured.
-    void move(std::uint64_t tick, const Vec3& center);
+    // centre of mass, from which the distance of a jump is measured, and its length so far in m,
+    // the unit of that distance.
+    void move(std::uint64_t tick, const Vec3& center, double length);
 
     bool is_on() const { return environment_.has_light; }
     // Returns whether the light may move during the trial.
@@ -48,12 +48,11 @@ public:
     void restore(const Moment& moment) { moment_ = moment; }
 
 private:
-    void jump(std::uint64_t leg, const Vec3& center);
+    void jump(std::uint64_t leg, const Vec3& center, double length);
     void wander();
 
     Environment environment_;
     LightDraw draw_;
-    double rest_length_;
     Moment moment_;
 };
 

@@ -22,8 +22,8 @@ ScentArea scent_area(const Environment& environment) {
 }  // namespace
 
 TrialSurroundings::TrialSurroundings(const Environment& environment, const LightDraw& draw,
-                                     double rest_length, const UsedSenses& used)
-    : environment_(environment), used_(used), source_(environment, draw, rest_length) {
+                                     const UsedSenses& used)
+    : environment_(environment), used_(used), source_(environment, draw) {
     sounds_.reserve(used.voices + kMostImpacts);
     find_up();
     lay_out_field();

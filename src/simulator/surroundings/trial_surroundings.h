@@ -16,7 +16,7 @@ namespace cambrian {
 
 class TrialSurroundings final : public Surroundings {
 public:
-    TrialSurroundings(const Environment& environment, const LightDraw& draw, double rest_length,
+    TrialSurroundings(const Environment& environment, const LightDraw& draw,
                       const UsedSenses& used = {});
 
     void set_environment(const Environment& environment);

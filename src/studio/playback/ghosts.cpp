@@ -20,8 +20,8 @@ using Records = std::vector<const JudgedIndividual*>;
 Records improvements(const std::vector<JudgedIndividual>& champions) {
     Records found;
     for (const JudgedIndividual& each : champions) {
-        const double best = found.empty() ? 0.0 : found.back()->individual->result.fitness;
-        if (found.empty() || each.individual->result.fitness > best) found.push_back(&each);
+        if (found.empty() || fitter(each.individual->result, found.back()->individual->result))
+            found.push_back(&each);
     }
     return found;
 }

@@ -33,6 +33,20 @@ bool judged(const EvaluationResult& result) {
     return result.outcome == Outcome::kCompleted;
 }
 
+// Returns the score or, without one, why there is none.
+std::string tile_score(const EvaluationResult& result) {
+    switch (result.outcome) {
+        case Outcome::kCompleted:
+            return shown_score(result.fitness, "");
+        case Outcome::kStoppedEarly:
+            return "stopped";
+        case Outcome::kRejected:
+            return "rejected";
+        default:
+            return "invalid";
+    }
+}
+
 std::string tile_words(const Tile& tile, const FrameContext& frame) {
     const Individual& individual = *tile.creature.individual;
     const EvaluationResult& result = individual.result;
@@ -259,8 +273,8 @@ void PopulationPanel::draw_content(const Tile& tile, const Rect& area, const Fra
         tile.rank > 0 ? std::to_string(tile.rank) : fmt::format("gen {}", tile.creature.generation);
     small_words(place, {area.x + px(6), area.y + px(3)}, colors().muted);
     draw_star(star_of(area), tile.starred, hovered);
-    const bool valid = judged(individual.result);
-    const std::string score = valid ? shown_score(individual.result.fitness, "") : "invalid";
+    const bool valid = !disqualified(individual);
+    const std::string score = tile_score(individual.result);
     small_words(score, {area.center().x - 0.5F * small_width(score), area.y + area.height - px(18)},
                 valid ? colors().muted : colors().danger);
 }

@@ -58,14 +58,13 @@ void keep_one_a_plan(std::vector<Tile>& tiles) {
 
 double measure(const Individual& individual, TileOrder order) {
     switch (order) {
-        case TileOrder::kFitness:
-            return individual.result.fitness;
         case TileOrder::kAge:
             return -static_cast<double>(individual.born);
         case TileOrder::kParts:
             return individual.result.parts;
         case TileOrder::kMass:
             return individual.result.mass;
+        case TileOrder::kFitness:  // not a number alone; see is_before()
         case TileOrder::kDifference:
             break;
     }
@@ -85,6 +84,12 @@ void measure_difference(std::vector<Tile>& tiles) {
     }
     for (std::size_t i = 0; i < tiles.size(); ++i)
         tiles[i].key = distance(descriptors[i], mean);
+}
+
+bool is_before(const Tile& a, const Tile& b, TileOrder order) {
+    if (order == TileOrder::kFitness)
+        return fitter(a.creature.individual->result, b.creature.individual->result);
+    return a.key > b.key;
 }
 
 }  // namespace
@@ -107,7 +112,7 @@ std::vector<Tile> list_tiles(const EvolutionSnapshot& snapshot, const Stars& sta
         tile.key = measure(*tile.creature.individual, order);
     if (order == TileOrder::kDifference) measure_difference(tiles);
     std::stable_sort(tiles.begin(), tiles.end(),
-                     [](const Tile& a, const Tile& b) { return a.key > b.key; });
+                     [order](const Tile& a, const Tile& b) { return is_before(a, b, order); });
     return tiles;
 }
 

@@ -33,16 +33,19 @@ void draw_headline(const FrameContext& frame) {
     caption(goal == nullptr ? "Fitness" : goal->label);
     const WithFont font(ui().fonts.title);
     const EvaluationResult* result = frame.viewer.playback.exhibit().result();
-    // Shows the fitness that selection used, with all penalties, if the creature was ever
-    // evaluated.
-    if (result != nullptr) {
+    // Shows the fitness that selection used, with all penalties, if the creature completed its
+    // trial.
+    if (result != nullptr && result->outcome == Outcome::kCompleted) {
         ImGui::TextUnformatted(shown_score(result->fitness, unit_of(frame)).c_str());
         draw_range(*result);
-    } else if (frame.viewer.score != nullptr) {
+    } else if (frame.viewer.score == nullptr) {
+        ImGui::TextUnformatted("…");
+    } else if (const Outcome outcome = frame.viewer.score->record.outcome;
+               outcome == Outcome::kCompleted) {
         ImGui::TextUnformatted(
             shown_score(frame.viewer.score->score.value, unit_of(frame)).c_str());
     } else {
-        ImGui::TextUnformatted("…");
+        ImGui::TextUnformatted(capitalized(std::string(outcome_name(outcome))).c_str());
     }
 }
 
@@ -59,6 +62,11 @@ void draw_verification(const FrameContext& frame) {
     if (result == nullptr || frame.viewer.score == nullptr ||
         frame.viewer.score->record.samples.empty())
         return;
+    if (result->outcome == Outcome::kStoppedEarly) {
+        muted_text("Stopped early in its generation");
+        tooltip("It could not survive any more. Here the whole trial is shown.");
+        return;
+    }
     if (result->digest == frame.viewer.score->digest) {
         const WithTextColor color(colors().accent);
         ImGui::TextUnformatted("Replay verified");

@@ -130,8 +130,8 @@ void draw_verdict(AuditVerdict verdict) {
     const WithTextColor color(verdict == AuditVerdict::kClean ? colors().accent : colors().danger);
     ImGui::TextUnformatted(capitalized(std::string(verdict_name(verdict))).c_str());
     tooltip(
-        "Clean: contacts, limits and rounding gave the creature a negligible energy. Suspect: the "
-        "energy may not be negligible. Invalid: the motion could not be computed.");
+        "Clean: contacts, limits and rounding gave the creature a negligible energy and spin. "
+        "Suspect: they may not be negligible. Invalid: the motion could not be computed.");
 }
 
 std::string share_text(double work, double scale) {
@@ -152,6 +152,9 @@ void draw_audit(const FrameContext& frame) {
     fact("Stored", measured(sum.stored, "J"));
     fact("Unexplained", share_text(audit.energy_residual, audit.energy_scale));
     fact("Gained from contacts", share_text(audit.positive_work, audit.energy_scale));
+    fact("Spin gained from nothing",
+         with_unit(audit.spin_scale > 0.0 ? 100.0 * audit.spin_gained / audit.spin_scale : 0.0,
+                   "%"));
     fact("Deepest penetration", measured(1e3 * audit.max_penetration, "mm"));
     fact("Largest limit violation", measured(audit.max_limit_overrun, "rad"));
     fact("Fastest part", measured(audit.max_part_speed, "m/s"));

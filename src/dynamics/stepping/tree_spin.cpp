@@ -1,0 +1,90 @@
+#include "dynamics/stepping/tree_spin.h"
+
+#include "core/assert.h"
+#include "dynamics/model/stretching.h"
+
+namespace cambrian {
+namespace {
+
+// Moments of inertia of four bodies about their centres; 0 in the slots of stretches.
+CAMBRIAN_INLINE Simd4d inertia_lanes(const PlanarModel& model, const Kinematics& k, int first) {
+    if (!k.deforms) return load_lanes(model.inertia + first);
+    double inertias[kLanes] = {};
+    for (int lane = 0; lane < kLanes && first + lane < model.body_count; ++lane)
+        inertias[lane] = present_inertia(model, k, first + lane);
+    return load_lanes(inertias);
+}
+
+// Calls visit(mass, offset, velocity, inertia, spin) for four bodies of a tree at once; masses and
+// inertias of other slots are 0, offsets are from the tree's centre.
+template <class Visit>
+CAMBRIAN_INLINE void visit_bodies(const PlanarModel& model, const Motion& motion,
+                                  const Kinematics& k, int tree, const Visit& visit) {
+    const double* membership = model.members_of(tree).membership;
+    const int center = center_of(model, tree);
+    const Simd4d center_x = all_lanes(motion.position[center]);
+    const Simd4d center_y = all_lanes(motion.position[center + 1]);
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        const Simd4d member = load_lanes(membership + i);
+        visit(member * load_lanes(model.mass + i),
+              Simd4dVector{load_lanes(k.x + i) - center_x, load_lanes(k.y + i) - center_y},
+              Simd4dVector{load_lanes(k.velocity_x + i), load_lanes(k.velocity_y + i)},
+              member * inertia_lanes(model, k, i), load_lanes(k.spin + i));
+    }
+}
+
+}  // namespace
+
+TreeSpin spin_of_tree(const PlanarModel& model, const Motion& motion, const Kinematics& k,
+                      int tree) {
+    Simd4d momentum = {};
+    Simd4d inertia = {};
+    visit_bodies(model, motion, k, tree,
+                 [&](const Simd4d& mass, const Simd4dVector& offset, const Simd4dVector& velocity,
+                     const Simd4d& own, const Simd4d& spin) {
+                     momentum +=
+                         mass * (offset.x * velocity.y - offset.y * velocity.x) + own * spin;
+                     inertia += mass * (offset.x * offset.x + offset.y * offset.y) + own;
+                 });
+    CAMBRIAN_TICK_ASSERT(!(sum_of(inertia) <= 0.0), "a tree has inertia");
+    return {sum_of(momentum), sum_of(inertia)};
+}
+
+double gross_spin_of_tree(const PlanarModel& model, const Motion& motion, const Kinematics& k,
+                          int tree) {
+    const int center = center_of(model, tree);
+    const Simd4d speed_x = all_lanes(motion.speed[center]);
+    const Simd4d speed_y = all_lanes(motion.speed[center + 1]);
+    Simd4d gross = {};
+    visit_bodies(model, motion, k, tree,
+                 [&](const Simd4d& mass, const Simd4dVector& offset, const Simd4dVector& velocity,
+                     const Simd4d& own, const Simd4d& spin) {
+                     gross += mass * magnitude(offset.x * (velocity.y - speed_y) -
+                                               offset.y * (velocity.x - speed_x)) +
+                              own * magnitude(spin);
+                 });
+    return sum_of(gross);
+}
+
+void turn_tree(const PlanarModel& model, int tree, double rate, Motion& motion, Kinematics& k) {
+    const double* membership = model.members_of(tree).membership;
+    const int center = center_of(model, tree);
+    const Simd4d center_x = all_lanes(motion.position[center]);
+    const Simd4d center_y = all_lanes(motion.position[center + 1]);
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        const Simd4d turn = rate * load_lanes(membership + i);
+        const Simd4d turning = all_lanes(1.0) - load_lanes(model.slides + i);
+        store_lanes(motion.speed + i, load_lanes(motion.speed + i) + turning * turn);
+        if (k.deforms) continue;
+        store_lanes(k.spin + i, load_lanes(k.spin + i) + turn);
+        store_lanes(k.velocity_x + i,
+                    load_lanes(k.velocity_x + i) - turn * (load_lanes(k.y + i) - center_y));
+        store_lanes(k.velocity_y + i,
+                    load_lanes(k.velocity_y + i) + turn * (load_lanes(k.x + i) - center_x));
+    }
+    if (!k.deforms) return;
+    spread_spins(model, motion.speed, k.spin);
+    compute_velocities(model, motion, k);
+}
+
+}  // namespace cambrian
