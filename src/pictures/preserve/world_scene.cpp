@@ -21,7 +21,7 @@ constexpr double kMostFlesh = 0.35;     // m
 constexpr double kFleshOfJoule = 0.05;  // m; radius of 1 J
 constexpr double kStalkWidth = 0.035;   // m
 constexpr double kStalkPixels = 1.2;    // least width
-constexpr double kTuft = 0.07;          // m; of the leaves at a stalk's foot, to either side
+constexpr double kLeaf = 0.09;          // m; how far a leaf reaches to its side
 constexpr double kWallPixels = 3.0;
 const Color kPlantColor = color_of(0x2FA36B);
 const Color kPatchColor = color_of(0xE8C468);
@@ -240,8 +240,10 @@ void add_food(SceneFrame& frame, const Camera& camera, const PreservePicture& pi
         const double width = std::max(kStalkWidth, kStalkPixels * camera.pixel());
         for (const Pellet& plant : picture.plants) {
             frame.add_line({plant.x, 0.0}, {plant.x, plant.y}, width, kStalkColor);
-            for (const double side : {-kTuft, kTuft})
-                frame.add_line({plant.x, 0.0}, {plant.x + side, kTuft}, width, kStalkColor);
+            frame.add_line({plant.x, 0.3 * plant.y}, {plant.x - kLeaf, 0.5 * plant.y}, width,
+                           kStalkColor);
+            frame.add_line({plant.x, 0.5 * plant.y}, {plant.x + kLeaf, 0.7 * plant.y}, width,
+                           kStalkColor);
         }
     }
     for (const Pellet& plant : picture.plants)

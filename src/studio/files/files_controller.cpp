@@ -3,6 +3,7 @@
 #include "core/text/counted.h"
 #include "core/text/pretty_text.h"
 #include "persist/creature/creature_card.h"
+#include "studio/background/people_words.h"
 #include "studio/experiment/timeline_plots.h"
 #include "studio/files/creature_exhibit.h"
 
@@ -30,36 +31,18 @@ std::string file_stem(const std::string& words) {
     return stem.empty() ? "creature" : stem;
 }
 
-// Returns the message without the codes of faults and warnings, "E01 ", which are for programs.
-std::string without_codes(const std::string& message) {
-    const auto is_digit = [](char letter) { return letter >= '0' && letter <= '9'; };
-    std::string words;
-    for (std::size_t i = 0; i < message.size(); ++i) {
-        const bool starts = i == 0 || message[i - 1] == ' ';
-        const bool code = starts && i + 3 < message.size() &&
-                          (message[i] == 'E' || message[i] == 'W') && is_digit(message[i + 1]) &&
-                          is_digit(message[i + 2]) && message[i + 3] == ' ';
-        if (code) {
-            i += 3;
-        } else {
-            words += message[i];
-        }
-    }
-    return words;
-}
-
 // Example: "Opened wanderer.creature.json. The first warning (2 more)".
 std::string opened_words(const std::filesystem::path& path,
                          const std::vector<std::string>& warnings) {
     std::string text = fmt::format("Opened {}.", path.filename().string());
-    if (!warnings.empty()) text += " " + without_codes(warnings.front());
+    if (!warnings.empty()) text += " " + people_words(warnings.front());
     if (warnings.size() > 1) text += fmt::format(" ({} more)", warnings.size() - 1);
     return text;
 }
 
 // Says what failed, where, and what can be done about it.
 std::string failure_words(const FileFailed& event) {
-    std::string words = without_codes(event.message);
+    std::string words = people_words(event.message);
     if (!event.reading) return words;
     if (!words.empty() && words.back() != '.') words += '.';
     return words + " Nothing was opened: mend the file there, or open another one (Ctrl+O).";

@@ -1,6 +1,7 @@
 #include "studio/viewer/viewer_controller.h"
 
 #include "genome/genome.h"
+#include "studio/background/people_words.h"
 
 #include <utility>
 
@@ -62,8 +63,8 @@ struct ViewerController::Handler {
         const auto faults = validate(*request.genome, self.services_.kinds.creature.catalog);
         if (!faults.empty())
             return self.services_.feedback.tell(
-                NoticeKind::kProblem,
-                "Nothing was changed, as the genes would not be valid: " + faults.front());
+                NoticeKind::kProblem, "Nothing was changed, as the genes would not be valid: " +
+                                          people_words(faults.front()));
         self.view_.newest_champion = false;
         self.genes_.edit(playback().exhibit(), request.genome, request.change);
         self.services_.feedback.log().write("gene edited", {{"place", request.change.place},

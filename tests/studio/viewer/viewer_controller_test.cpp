@@ -64,7 +64,7 @@ TEST_CASE("a gene outside its range is refused with a message", "[studio][viewer
     run.studio.update(0.1, 0.0);
     CHECK(root_length(run) == before);
     REQUIRE(run.studio.frame_context().window.notice != nullptr);
-    CHECK(run.studio.frame_context().window.notice->text.find("/nodes/0/length") !=
+    CHECK(run.studio.frame_context().window.notice->text.find("part 0 length") !=
           std::string::npos);
     CHECK_FALSE(run.studio.frame_context().can_undo());
 }

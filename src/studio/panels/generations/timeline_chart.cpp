@@ -204,9 +204,14 @@ void TimelineChart::draw_goals(ImDrawList& list, const PlotScale& scale,
         }
         const float room = to - from - px(12);
         if (room < px(24)) continue;
+        const std::string shown = fit_text(words, room);
+        const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
+        const ImVec2 low = {from + px(2), scale.area.y + scale.area.height - px(21)};
+        list.AddRectFilled(low, {low.x + size.x + px(8), low.y + size.y + px(2)},
+                           paint(with_alpha(colors().panel, 0.8F)), px(4));
         list.AddText(
             {std::floor(from + px(6)), std::floor(scale.area.y + scale.area.height - px(20))},
-            paint(colors().muted), fit_text(words, room).c_str());
+            paint(colors().muted), shown.c_str());
     }
 }
 

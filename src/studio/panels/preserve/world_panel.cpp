@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kChaseLag = 0.25;     // s; time constant with which the camera follows
 constexpr double kChaseMargin = 0.06;  // share of the viewport free around a followed creature
-constexpr double kLeastSight = 2.0;    // m; least height of a meadow that is in view
+constexpr double kLeastSight = 3.0;    // m; least height of a meadow that is in view
 constexpr double kGroundShare = 0.2;   // share of that below the ground
 constexpr double kWorldShare = 0.97;   // share of the viewport filled by the world
 constexpr float kHeadHeight = 36.0F;   // of the words above it, in units of 1/96 inch
