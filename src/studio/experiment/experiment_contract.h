@@ -36,14 +36,19 @@ struct StartNewRun {
 };
 // Starts a new run whose founders are the displayed creature and those that the settings add.
 struct StartFromShown {};
+// Starts a new run as StartFromShown does, and evolves. In its world, the goal, the world and the
+// trial become those that judge the displayed creature.
+struct EvolveShown {
+    bool in_its_world = false;
+};
 // Resets every draft setting that cannot change during a run to its value in the present run.
 struct DropStructuralEdits {};
 // Moves the keyboard focus to the filter of the settings.
 struct FindSetting {};
 
-using ExperimentRequest =
-    std::variant<ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit, UndoEdit, RedoEdit,
-                 StartNewRun, StartFromShown, DropStructuralEdits, AddImmigrants, FindSetting>;
+using ExperimentRequest = std::variant<ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit,
+                                       UndoEdit, RedoEdit, StartNewRun, StartFromShown, EvolveShown,
+                                       DropStructuralEdits, AddImmigrants, FindSetting>;
 
 struct ExperimentView {
     const std::vector<SettingField>& fields;

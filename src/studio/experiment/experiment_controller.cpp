@@ -1,6 +1,7 @@
 #include "studio/experiment/experiment_controller.h"
 
 #include "core/random.h"
+#include "evolution/settings/goal_defaults.h"
 #include "genome/founders/random_genome.h"
 #include "picking/handover.h"
 
@@ -78,6 +79,13 @@ struct ExperimentController::Handler {
         if (playback.empty()) return;
         self.begin_run({playback.exhibit().genome()}, RunSeed::kNew);
     }
+    void operator()(const EvolveShown& request) const {
+        if (self.suspended_ || self.viewer_.playback().empty()) return;
+        if (request.in_its_world) self.take_over_world(self.viewer_.playback().exhibit());
+        (*this)(StartFromShown{});
+        self.view_.newest_champion = true;
+        self.experiment_.send(ResumeEvolution{});
+    }
     void operator()(const DropStructuralEdits&) const {
         SettingsEditor& editor = self.experiment_.editor();
         editor.edit(with_live_fields(*self.experiment_.snapshot().settings, editor.draft(),
@@ -143,6 +151,17 @@ void ExperimentController::show_random_creature() {
         random_genome(settings->founders, services_.kinds.creature.catalog, stream));
     viewer_.show({.creature = unjudged(std::move(genome), settings, "random"),
                   .title = "A random creature"});
+}
+
+void ExperimentController::take_over_world(const Exhibit& exhibit) {
+    const ExperimentSettings& its = exhibit.settings();
+    ExperimentSettings settings = experiment_.editor().draft();
+    settings.goal = its.goal;
+    settings.world = its.world;
+    settings.expression = its.expression;
+    if (const GoalKind* goal = services_.kinds.goals.find(its.goal)) allow_senses(settings, *goal);
+    experiment_.editor().edit(completed(std::move(settings), experiment_.fields()), "goal");
+    experiment_.editor().finish();
 }
 
 void ExperimentController::begin_run(std::vector<GenomePtr> founders, RunSeed seed) {

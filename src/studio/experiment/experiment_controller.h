@@ -41,6 +41,7 @@ public:
 private:
     struct Handler;
     void begin_run(std::vector<GenomePtr> founders, RunSeed seed);
+    void take_over_world(const Exhibit& exhibit);
     void commit();
     void change_draft(void (SettingsEditor::*change)());
     void follow_world(const Environment& before);

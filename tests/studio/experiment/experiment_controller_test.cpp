@@ -8,6 +8,7 @@
 namespace cambrian {
 namespace {
 
+using test::small_experiment;
 using test::StudioRun;
 
 TEST_CASE("finding a setting brings the settings back into the window", "[studio][experiment]") {
@@ -263,6 +264,26 @@ TEST_CASE("an edit after a new run is undone before it", "[studio][experiment]")
     run.ask(FinishEdit{});
     run.ask(UndoEdit{});
     CHECK(run.studio.frame_context().experiment.editor.draft().population.size == size);
+}
+
+TEST_CASE("one click evolves the creature on display in its own world", "[studio][experiment]") {
+    StudioRun run;
+    ExperimentSettings water = small_experiment();
+    water.goal = "swimming";
+    water.world.environment.has_ground = false;
+    water.world.environment.gravity = 0.0;
+    water.world.environment.viscosity_quadratic = 1.0;
+    run.studio.show_random_creature();
+    Exhibit swimmer = run.studio.frame_context().viewer.playback.exhibit();
+    swimmer.creature.settings = std::make_shared<const ExperimentSettings>(water);
+    run.ask(ShowExhibit{std::make_shared<const Exhibit>(swimmer)});
+    const bool in_its_world = GENERATE(true, false);
+    run.ask(EvolveShown{in_its_world});
+    REQUIRE(run.frames_until([&] { return run.champions() >= 1; }));
+    const EvolutionSnapshot& snapshot = run.studio.frame_context().experiment.snapshot;
+    CHECK((snapshot.settings->goal == "swimming") == in_its_world);
+    CHECK(snapshot.settings->world.environment.has_ground != in_its_world);
+    CHECK(run.studio.view().newest_champion);
 }
 
 }  // namespace

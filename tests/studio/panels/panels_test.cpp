@@ -354,5 +354,27 @@ TEST_CASE("a preserve begins with the edges that were chosen", "[studio][preserv
     CHECK_FALSE(test::asked<BeginPreserve>(click(gui, card, studio, "Begin")).wraps);
 }
 
+TEST_CASE("what can be done with the creature on display is offered below its name",
+          "[studio][panels]") {
+    NullImGui gui(900.0F, 600.0F);
+    ViewportPanel panel(nullptr);
+    test::StudioFixture studio;
+    studio.show_crawler();
+    const auto pressed = [&](const char* name) { return click(gui, panel, studio, name); };
+    CHECK_FALSE(test::asked<EvolveShown>(pressed("Evolve from it")).in_its_world);
+    CHECK_FALSE(gui.has("Evolve in its world"));  // it is the experiment's
+    CHECK(test::asked<BeginPreserve>(pressed("Into a preserve")).founders == FounderChoice::kShown);
+    CHECK(test::asked<OpenFilePanel>(pressed("Save it")).task == FileTask::kSaveCreature);
+    ExperimentSettings moon = studio.editor().draft();
+    moon.world.environment.gravity = 1.62;
+    studio.editor().replace(moon);
+    CHECK(test::asked<EvolveShown>(pressed("Evolve in its world")).in_its_world);
+    studio.show_grid(4);
+    gui.forget_places();
+    Requests out;
+    gui.frame([&] { panel.draw(studio.frame(), out); });
+    CHECK_FALSE(gui.has("Evolve from it"));
+}
+
 }  // namespace
 }  // namespace cambrian

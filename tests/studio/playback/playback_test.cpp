@@ -1,5 +1,6 @@
 #include "studio/playback/playback.h"
 
+#include "evolution/evaluation/trials.h"
 #include "pictures/motion/recorded_motion.h"
 #include "studio_fixture.h"
 #include "support/catch.h"

@@ -26,7 +26,9 @@ constexpr double kFollowMargin = 0.06;      // share of the viewport kept free a
 constexpr double kFitShare = 0.32;          // share of the viewport filled by a body after FitView
 constexpr double kFitShareOfContest = 0.8;  // the same, by both creatures and the cube
 // Pixels from the top that the text about the creature takes.
-constexpr float kWordsHeight = 100.0F;
+constexpr float kWordsHeight = 132.0F;
+constexpr float kActionsTop = 64.0F;  // of the buttons below the words, from the top
+constexpr float kActionsHeight = 34.0F;
 constexpr double kFarthestLight = 1000.0;  // m; limit of the setting
 
 void shadowed_text(ImDrawList& list, ImFont* font, float size, const ImVec2& at, const Color& color,
@@ -99,6 +101,12 @@ WorldWindow shown_bounds(const Playback& playback) {
     return playback.trial().bout() == nullptr ? body : with_bout(body, bout_look(playback));
 }
 
+// Whether the viewport offers what can be done with the creature; modes have their own buttons.
+bool has_actions(const FrameContext& frame) {
+    return !frame.viewer.playback.empty() && !frame.window.viewer_only &&
+           frame.picking == nullptr && frame.preserve == nullptr;
+}
+
 }  // namespace
 
 void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
@@ -128,6 +136,7 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
         draw_words(frame);
     }
     draw_viewport_tools(frame, canvas_.area, out);
+    if (has_actions(frame)) draw_shown_actions(frame, {at.x + px(14), at.y + px(kActionsTop)}, out);
 }
 
 Vec2 ViewportPanel::follow_target(const FrameContext& frame) const {
@@ -418,7 +427,7 @@ void ViewportPanel::draw_words(const FrameContext& frame) {
     shadowed_text(list, fonts.title, px(20), at, colors().text, title);
     at.y += px(27);
     shadowed_text(list, fonts.body, px(15), at, colors().muted, second_line(frame));
-    at.y += px(22);
+    at.y += px(22) + (has_actions(frame) ? px(kActionsHeight) : 0.0F);
     if (frame.viewer.playback.creature().replay().diverged()) {
         shadowed_text(list, fonts.body, px(15), at, colors().danger,
                       "The motion diverged; press R to restart");

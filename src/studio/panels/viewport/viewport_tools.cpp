@@ -102,6 +102,35 @@ void look_lines(const FrameContext& frame, Requests& out) {
     }
 }
 
+void draw_shown_actions(const FrameContext& frame, const ImVec2& at, Requests& out) {
+    const ExperimentSettings& its = frame.viewer.playback.exhibit().settings();
+    const ExperimentSettings& draft = frame.experiment.editor.draft();
+    const bool elsewhere =
+        its.goal != draft.goal || !(its.world.environment == draft.world.environment);
+    const WithFont font(ui().fonts.small);
+    ImGui::SetCursorScreenPos(at);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(6), px(4)));
+    const auto action = [](const char* label, const char* help) {
+        const bool pressed = push_button(label, {.height = px(26), .tooltip = help});
+        ImGui::SameLine();
+        return pressed;
+    };
+    if (action("Evolve from it",
+               "A new run that begins with this creature and random ones, for the goal and in the "
+               "world of the experiment. Ctrl+Z goes back to the run before."))
+        out.ask(EvolveShown{false});
+    if (elsewhere &&
+        action("Evolve in its world",
+               "The same, for the goal and in the world in which this creature is judged"))
+        out.ask(EvolveShown{true});
+    if (action("Into a preserve", "Copies of it begin a closed world that goes on by itself"))
+        out.ask(BeginPreserve{FounderChoice::kShown, false});
+    if (action("Save it", "In a file of its own, or as a card (Ctrl+S)"))
+        out.ask(OpenFilePanel{FileTask::kSaveCreature});
+    ImGui::NewLine();
+    ImGui::PopStyleVar();
+}
+
 void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& out) {
     const float width = frame.window.viewer_only ? px(30) : px(30) * 2 + px(24) + px(4) * 2;
     ImGui::SetCursorScreenPos({area.x + area.width - width - px(10), area.y + px(10)});

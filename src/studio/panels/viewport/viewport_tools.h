@@ -9,6 +9,10 @@ namespace cambrian {
 // Draws the small buttons in the viewport's upper right corner: ghosts, overlays and help.
 void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& out);
 
+// Draws what can be done with the creature on display, below its name: evolve it, put it into a
+// preserve, save it.
+void draw_shown_actions(const FrameContext& frame, const ImVec2& at, Requests& out);
+
 // Draws the choices of ghosts as menu lines, in the order of GhostChoice.
 // Draws a line for each mode in which creatures are seen.
 void look_lines(const FrameContext& frame, Requests& out);
