@@ -37,12 +37,15 @@ void draw_clip_frame(PictureCanvas& canvas, const Subject& subject, const Palett
     const double unit = layout_unit(canvas);
     const Area whole = {0, 0, static_cast<double>(canvas.width()),
                         static_cast<double>(canvas.height())};
-    MomentStyle style{.palette = palette, .label_size = 16.0 * unit, .trail = kTrail};
+    const DrawnWorld& world = world_of(subject);
+    const Palette& words = palette_over(world);
+    MomentStyle style{
+        .palette = palette, .label_size = 16.0 * unit, .trail = kTrail, .world = &world};
     style.pixels_per_metre = scale_to_fit(subject.motion(), whole, kClipBodyShare);
     canvas.clear(palette.sky);
     add_moment(canvas, whole, subject, moment, style);
-    const Ink title{Typeface::kStrong, 28.0 * unit, palette.text};
-    const Ink small{Typeface::kRegular, 19.0 * unit, palette.muted};
+    const Ink title{Typeface::kStrong, 28.0 * unit, words.text};
+    const Ink small{Typeface::kRegular, 19.0 * unit, words.muted};
     const double left = 24.0 * unit;
     const double right = canvas.width() - left;
     std::string line = subject.goal;

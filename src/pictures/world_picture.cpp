@@ -27,7 +27,9 @@ void draw_world_frame(PictureCanvas& canvas, const Palette& palette, const Prese
     camera.pixels_per_metre =
         std::min(world.width / picture.area.width, world.height / picture.area.height);
     SceneFrame frame;
-    add_world(frame, palette, camera, {room.width, room.height}, picture, {});
+    WorldMarks marks;
+    marks.scenery = Daytime::kNoon;
+    add_world(frame, palette, camera, {room.width, room.height}, picture, marks);
     canvas.clear(palette.window);
     canvas.add_scene(std::move(frame), camera, room);
     const double left = 16.0 * unit;

@@ -28,9 +28,9 @@ const Color kPatchColor = color_of(0xE8C468);
 const Color kStalkColor = color_of(0x2C7A54);
 const Color kFleshColor = color_of(0xC8553D);
 
-// Paints what is beyond the walls and below the ground, and the walls.
+// Paints what is beyond the walls and, unless scenery shows it, below the ground, and the walls.
 void add_walls(SceneFrame& frame, const Palette& palette, const Camera& camera,
-               const Viewport& viewport, const WorldArea& area) {
+               const Viewport& viewport, const WorldArea& area, bool scenery) {
     const WorldWindow window = camera.window(viewport);
     const double right = 0.5 * area.width;
     const double top = area.top();
@@ -50,14 +50,15 @@ void add_walls(SceneFrame& frame, const Palette& palette, const Camera& camera,
         fill(right, -kFar, kFar, kFar, palette.window);
     }
     if (area.has_top()) fill(-kFar, top, kFar, kFar, palette.window);
-    if (has_floor)
+    if (has_floor && !(scenery && area.has_ground))
         fill(-kFar, -kFar, kFar, bottom, area.has_ground ? palette.ground : palette.window);
     if (area.has_sides()) {
         fill(-right - wall, bottom - wall, -right, top + wall, palette.ground_line);
         fill(right, bottom - wall, right + wall, top + wall, palette.ground_line);
     }
     if (area.has_top()) fill(-end, top, end, top + wall, palette.ground_line);
-    if (has_floor) fill(-end, bottom - wall, end, bottom, palette.ground_line);
+    if (has_floor && !(scenery && area.has_ground))
+        fill(-end, bottom - wall, end, bottom, palette.ground_line);
 }
 
 // Marks where edges meet by thin lines: the left and the lower edge, of which the others are
@@ -290,19 +291,29 @@ void add_marks(SceneFrame& frame, const Palette& palette, const Camera& camera,
 void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
                const Viewport& viewport, const PreservePicture& picture, const WorldMarks& marks) {
     frame.background = palette.sky;
-    add_grid(frame, palette, camera, viewport);
+    const double time = static_cast<double>(picture.tick) * kBrainTick;
+    const bool scenery = marks.scenery && marks.look != LookMode::kMechanics;
+    if (scenery) {
+        const DrawnWorld& world =
+            drawn_world(world_kind_of(picture.laws->world.environment), *marks.scenery);
+        if (picture.area.has_ground)
+            add_scenery(frame, world, camera, viewport, time);
+        else
+            use_world(frame, world);
+    } else {
+        add_grid(frame, palette, camera, viewport);
+    }
     const WorldWindow window = camera.window(viewport);
     const std::vector<Vec2> shifts = image_shifts(picture.area);
     const std::size_t lowest = frame.shapes.size();
     add_patches(frame, picture);
     repeat_from(lowest, frame, window, shifts);
-    add_walls(frame, palette, camera, viewport, picture.area);
+    add_walls(frame, palette, camera, viewport, picture.area, scenery);
     const std::size_t first = frame.shapes.size();
     add_seams(frame, palette, camera, picture.area);
     add_drawn_walls(frame, palette, picture);
     add_food(frame, camera, picture);
-    const ShownWorld world{marks.look, picture.area.has_ground,
-                           static_cast<double>(picture.tick) * kBrainTick};
+    const ShownWorld world{marks.look, picture.area.has_ground, time};
     for (const ResidentPicture& each : picture.residents) {
         if (!in_view(each, window, shifts)) continue;
         const double hue = lineage_hue(each.life.lineage);

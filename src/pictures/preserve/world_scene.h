@@ -5,11 +5,13 @@
 
 #include "pictures/canvas/palette.h"
 #include "pictures/scene/character.h"
+#include "pictures/scene/worlds.h"
 #include "preserve/engine/preserve_picture.h"
 #include "render/camera.h"
 #include "render/scene_frame.h"
 
 #include <cstdint>
+#include <optional>
 #include <set>
 
 namespace cambrian {
@@ -22,6 +24,7 @@ struct WorldMarks {
     // store is enough to bear a child.
     bool energy = false;
     LookMode look = LookMode::kLife;
+    std::optional<Daytime> scenery = {};  // none: on the palette's sky, with a grid
 };
 
 void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,

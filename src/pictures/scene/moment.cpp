@@ -53,6 +53,10 @@ Character character_at(const Subject& subject, const Moment& moment) {
     return character;
 }
 
+double label_spacing(const Camera& camera, const MomentStyle& style) {
+    return mark_spacing(camera, kMarkPixels * style.label_size / 13.0);
+}
+
 SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& camera,
                     const Viewport& viewport, const MomentStyle& style) {
     const MotionFrame& shown = moment.frame;
@@ -68,9 +72,14 @@ SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& 
         character_at(subject, moment)};
     SceneFrame scene;
     scene.background = style.palette.sky;
-    add_grid(scene, style.palette, camera, viewport);
+    if (style.world != nullptr) {
+        add_scenery(scene, *style.world, camera, viewport, moment.time);
+        add_ground_marks(scene, *style.world, camera, viewport, label_spacing(camera, style));
+    } else {
+        add_grid(scene, style.palette, camera, viewport);
+    }
     if (subject.environment().has_ground) {
-        add_ground(scene, style.palette, camera, viewport);
+        if (style.world == nullptr) add_ground(scene, style.palette, camera, viewport);
         add_shadow(scene, look);
     }
     scene.add_trail(subject.motion().trail(moment.time, style.trail),
@@ -86,8 +95,14 @@ SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& 
         bodies.time = moment.time;
         add_bout(scene, style.palette, camera, bodies);
     }
-    if (shown.light) add_light(scene, camera, viewport, shown.light->head<2>());
+    if (shown.light) {
+        const Vec2 place = shown.light->head<2>();
+        if (style.world != nullptr)
+            add_lamp(scene, camera, viewport, place, subject.environment().light_reach);
+        add_light(scene, camera, viewport, place);
+    }
     add_being(scene, style.palette, camera, look);
+    if (style.world != nullptr) add_foreground(scene, *style.world, camera, viewport, moment.time);
     return scene;
 }
 
@@ -95,8 +110,9 @@ SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& 
 void add_ground_labels(PictureCanvas& canvas, const Area& area, const Camera& camera,
                        const Viewport& viewport, const MomentStyle& style) {
     const WorldWindow window = camera.window(viewport);
-    const double spacing = mark_spacing(camera, kMarkPixels * style.label_size / 13.0);
-    const Ink ink{Typeface::kRegular, style.label_size, style.palette.muted};
+    const double spacing = label_spacing(camera, style);
+    const Color color = style.world != nullptr ? style.world->words : style.palette.muted;
+    const Ink ink{Typeface::kRegular, style.label_size, color};
     for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
         const std::string label = with_unit(i * spacing, "m");
         const Vec2 at = camera.to_screen({i * spacing, 0.0}, viewport);
@@ -160,6 +176,10 @@ Moment moment_of(const RecordedMotion& motion, double time) {
         time = std::min(std::floor(std::max(0.0, time) / step), last) * step;
     }
     return {time, motion.at(time)};
+}
+
+const DrawnWorld& world_of(const Subject& subject) {
+    return drawn_world(world_kind_of(subject.environment()), Daytime::kNoon);
 }
 
 void add_moment(PictureCanvas& canvas, const Area& area, const Subject& subject,

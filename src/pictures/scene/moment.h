@@ -5,6 +5,7 @@
 #include "pictures/canvas/picture_canvas.h"
 #include "pictures/motion/subject.h"
 #include "pictures/scene/character.h"
+#include "pictures/scene/worlds.h"
 
 #include <cstddef>
 #include <vector>
@@ -17,6 +18,7 @@ struct MomentStyle {
     double label_size = 13.0;  // pixels; size of the labels on the ground
     std::size_t trail = 60;    // points of the trail
     LookMode look = LookMode::kLife;
+    const DrawnWorld* world = nullptr;  // its scenery; null: none, on the palette's sky
 };
 
 // Returns what a motion tells of the creature at a time, but not its line.
@@ -37,6 +39,8 @@ struct Moment {
     MotionFrame frame;
 };
 Moment moment_of(const RecordedMotion& motion, double time);
+// Returns the subject's world at noon, as pictures show it.
+const DrawnWorld& world_of(const Subject& subject);
 void add_moment(PictureCanvas& canvas, const Area& area, const Subject& subject,
                 const Moment& moment, const MomentStyle& style);
 

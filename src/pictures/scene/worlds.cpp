@@ -423,11 +423,23 @@ const DrawnWorld& drawn_world(WorldKind kind, Daytime daytime) {
     return kMeadows[static_cast<std::size_t>(daytime)];
 }
 
-void add_scenery(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
-                 const Viewport& viewport, double time) {
+const Palette& palette_over(const DrawnWorld& world) {
+    static const Palette kOnDark = palette_of(ThemeKind::kDark);
+    static const Palette kOnLight = palette_of(ThemeKind::kLight);
+    const Color& sky = world.recipe.sky[2];
+    const float lightness = 0.30F * sky.r + 0.59F * sky.g + 0.11F * sky.b;
+    return lightness < 0.6F ? kOnDark : kOnLight;
+}
+
+void use_world(SceneFrame& frame, const DrawnWorld& world) {
     frame.background = world.recipe.sky[1];
     frame.backdrop.recipe = &world.recipe;
     frame.light = world.light;
+}
+
+void add_scenery(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
+                 const Viewport& viewport, double time) {
+    use_world(frame, world);
     add_sun(frame, world.recipe, camera.window(viewport));
     add_weeds(frame, world, camera, viewport, time);
     add_specks(frame, world, camera, viewport, time);

@@ -45,8 +45,13 @@ WorldKind world_kind_of(const Environment& environment);
 // The world stays where it is until the program ends.
 const DrawnWorld& drawn_world(WorldKind kind, Daytime daytime);
 
-// Gives the frame its backdrop and light, and adds what grows and floats behind creatures. `time`
-// is that of the trial, in s; blades sway and bubbles rise with it.
+// Returns the colours of words that are read on its sky.
+const Palette& palette_over(const DrawnWorld& world);
+
+// Gives the frame the backdrop and the light of a world.
+void use_world(SceneFrame& frame, const DrawnWorld& world);
+// The same, and adds what grows and floats behind creatures. `time` is that of the trial, in s;
+// blades sway and bubbles rise with it.
 void add_scenery(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
                  const Viewport& viewport, double time);
 // Adds the glow of a lamp and lets it shine on skins; half of its light is left at `reach` (m).

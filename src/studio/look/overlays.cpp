@@ -6,7 +6,12 @@ namespace cambrian {
 namespace {
 
 constexpr std::array kOverlays = {
-    OverlayKind{"grid", "Grid", "Lines at each metre, or at equal parts of it.",
+    OverlayKind{
+        "scenery", "Scenery",
+        "The place that the environment is: meadow, ice, Moon, water, air, or night around a "
+        "lamp. It is plain behind creatures that are seen as mechanics.",
+        &OverlaysShown::scenery},
+    OverlayKind{"grid", "Grid", "Lines at each metre, or at equal parts of it, without scenery.",
                 &OverlaysShown::grid},
     OverlayKind{"trail", "Trail", "The path of the centre of mass in the last six seconds.",
                 &OverlaysShown::trail},

@@ -30,6 +30,7 @@ enum class GhostChoice : unsigned char { kNone, kImprovements, kTenths, kAcross 
 
 // The overlays that are drawn over the creature; overlays.h describes them.
 struct OverlaysShown {
+    bool scenery = true;
     bool trail = true;
     bool contacts = true;
     bool grid = true;

@@ -77,9 +77,11 @@ void WorldPanel::draw(const FrameContext& frame, Requests& out) {
     aim(out);
     canvas_.frame.clear();
     const PreserveView& preserve = *frame.preserve;
-    add_world(canvas_.frame, colors(), canvas_.camera, canvas_.size(), preserve.picture,
-              {preserve.picked == nullptr ? 0 : preserve.picked->life.number,
-               preserve.pins.creatures, preserve.energy, frame.view.look});
+    add_world(
+        canvas_.frame, colors(), canvas_.camera, canvas_.size(), preserve.picture,
+        {preserve.picked == nullptr ? 0 : preserve.picked->life.number, preserve.pins.creatures,
+         preserve.energy, frame.view.look,
+         frame.view.overlays.scenery ? std::optional(daytime_of(frame.view.theme)) : std::nullopt});
     const ResidentPicture* held = held_ == 0 ? nullptr : preserve.picture.find(held_);
     if (held != nullptr && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
         const Vec2 mouse = canvas_.mouse_in_world();

@@ -8,6 +8,7 @@
 #include "pictures/scene/follow_camera.h"
 #include "pictures/scene/living_look.h"
 #include "pictures/scene/small_life.h"
+#include "pictures/scene/worlds.h"
 #include "studio/panels/viewport/scene_overlays.h"
 #include "studio/panels/viewport/viewport_tools.h"
 #include "studio/widgets/widgets.h"
@@ -92,6 +93,13 @@ Character shown_character(const FrameContext& frame) {
     const LightSource& light = playback.trial().surroundings().source();
     if (light.is_on()) look_at(character, here, light.place().head<2>());
     return character;
+}
+
+// Returns the world that the scenery shows, or null.
+const DrawnWorld* shown_world(const FrameContext& frame) {
+    if (!frame.view.overlays.scenery || frame.view.look == LookMode::kMechanics) return nullptr;
+    return &drawn_world(world_kind_of(frame.viewer.playback.creature().replay().environment()),
+                        daytime_of(frame.view.theme));
 }
 
 // Returns the window with the displayed creature and, in a contest, with the cube and the opponent.
@@ -274,13 +282,21 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
                             playback.creature().motion().stretches(),
                             shown_look(frame),
                             shown_character(frame)};
-    if (frame.view.overlays.grid) add_grid(scene, palette, canvas_.camera, canvas_.size());
+    const DrawnWorld* world = shown_world(frame);
+    const double time = look.character.time;
+    if (world != nullptr) {
+        add_scenery(scene, *world, canvas_.camera, canvas_.size(), time);
+        add_ground_marks(scene, *world, canvas_.camera, canvas_.size(),
+                         mark_spacing(canvas_.camera, kTickPixels));
+    } else if (frame.view.overlays.grid) {
+        add_grid(scene, palette, canvas_.camera, canvas_.size());
+    }
     const TrialSurroundings& surroundings = playback.trial().surroundings();
     const ScentField* scent = surroundings.scent_field();
     if (frame.view.overlays.scent && scent != nullptr)
         add_scent(scene, canvas_.camera, canvas_.size(), *scent);
     if (playback.creature().replay().environment().has_ground) {
-        add_ground(scene, palette, canvas_.camera, canvas_.size());
+        if (world == nullptr) add_ground(scene, palette, canvas_.camera, canvas_.size());
         add_shadow(scene, look);
     }
     if (frame.view.overlays.trail) {
@@ -304,8 +320,15 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
         add_bout(scene, palette, canvas_.camera, bout);
     }
     const LightSource& light = surroundings.source();
-    if (light.is_on()) add_light(scene, canvas_.camera, canvas_.size(), light.place().head<2>());
+    if (light.is_on()) {
+        const Vec2 place = light.place().head<2>();
+        if (world != nullptr)
+            add_lamp(scene, canvas_.camera, canvas_.size(), place,
+                     playback.creature().replay().environment().light_reach);
+        add_light(scene, canvas_.camera, canvas_.size(), place);
+    }
     add_being(scene, palette, canvas_.camera, look);
+    if (world != nullptr) add_foreground(scene, *world, canvas_.camera, canvas_.size(), time);
     if (frame.view.overlays.sounds) add_sounds(scene, canvas_.camera, surroundings.sounds());
     add_overlays(frame, look);
     const Hold* hold = playback.creature().hold();
@@ -327,6 +350,8 @@ void ViewportPanel::draw_marks(const FrameContext& frame) {
     const double spacing = tick * std::ceil(room / (tick * camera.pixels_per_metre));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const WithFont font(ui().fonts.small);
+    const DrawnWorld* world = shown_world(frame);
+    const Color color = world != nullptr ? world->words : colors().muted;
     for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
         const std::string label = with_unit(i * spacing, "m");
         const Vec2 at = camera.to_screen({i * spacing, 0.0}, canvas_.size());
@@ -335,7 +360,7 @@ void ViewportPanel::draw_marks(const FrameContext& frame) {
         if (left < 0.0F || left + width > canvas_.area.width) continue;
         list.AddText({std::round(canvas_.area.x + left),
                       std::round(canvas_.area.y + static_cast<float>(at.y()) + px(10))},
-                     paint(colors().muted), label.c_str());
+                     paint(color), label.c_str());
     }
 }
 
@@ -420,19 +445,21 @@ void ViewportPanel::draw_words(const FrameContext& frame) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Fonts& fonts = ui().fonts;
     const Exhibit& exhibit = frame.viewer.playback.exhibit();
+    const DrawnWorld* world = shown_world(frame);
+    const Palette& palette = world != nullptr ? palette_over(*world) : colors();
     ImVec2 at = {canvas_.area.x + px(16), canvas_.area.y + px(12)};
     const std::string& name = exhibit.genome()->name;
     const std::string title = on_one_line(
         name.empty() || exhibit.source == ExhibitSource::kChampion ? exhibit.title : name);
-    shadowed_text(list, fonts.title, px(20), at, colors().text, title);
+    shadowed_text(list, fonts.title, px(20), at, palette.text, title);
     at.y += px(27);
-    shadowed_text(list, fonts.body, px(15), at, colors().muted, second_line(frame));
+    shadowed_text(list, fonts.body, px(15), at, palette.muted, second_line(frame));
     at.y += px(22) + (has_actions(frame) ? px(kActionsHeight) : 0.0F);
     if (frame.viewer.playback.creature().replay().diverged()) {
-        shadowed_text(list, fonts.body, px(15), at, colors().danger,
+        shadowed_text(list, fonts.body, px(15), at, palette.danger,
                       "The motion diverged; press R to restart");
     } else if (is_disturbed(frame.viewer.playback.creature())) {
-        shadowed_text(list, fonts.body, px(15), at, colors().plot_best,
+        shadowed_text(list, fonts.body, px(15), at, palette.plot_best,
                       "Disturbed by hand; press R to restart");
     }
 }
