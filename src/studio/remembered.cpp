@@ -57,6 +57,11 @@ void read_size(const std::string& name, const std::string& value, PanelSizes& si
     }
 }
 
+void read_look(const std::string& value, ViewState& view) {
+    for (std::size_t i = 0; i < kLooks.size(); ++i)
+        if (value == kLooks[i]) view.look = static_cast<LookMode>(i);
+}
+
 void read_line(const std::string& name, const std::string& value, ViewState& view) {
     for (const Flag& flag : kFlags) {
         if (name == flag.name) flag.of(view) = value == "yes";
@@ -68,9 +73,7 @@ void read_line(const std::string& name, const std::string& value, ViewState& vie
         if (name == "ghosts" && value == kGhostChoices[i])
             view.ghosts = static_cast<GhostChoice>(i);
     }
-    for (std::size_t i = 0; i < kLooks.size(); ++i) {
-        if (name == "look" && value == kLooks[i]) view.look = static_cast<LookMode>(i);
-    }
+    if (name == "look") read_look(value, view);
     read_size(name, value, view.panels);
     for (const TimelinePlot& plot : timeline_plots()) {
         if (name == "timeline" && value == plot.id) view.quantity = plot.quantity;

@@ -24,7 +24,7 @@ bool is_folder(const fs::path& path) {
 }
 
 fs::path folder_in(const char* variable) {
-    const char* value = std::getenv(variable);
+    const char* value = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe)
     return value == nullptr ? fs::path() : fs::path(value);
 }
 

@@ -147,10 +147,10 @@ std::optional<TilePicture> TilePictures::of(const TileWish& wish) {
     Page& page = pages_[found->second.page];
     page.asked = ++wishes_;
     constexpr float kSide = kPageSide;
-    const auto left =
-        static_cast<float>(found->second.cell % page.columns()) * static_cast<float>(page.width);
-    const auto foot =
-        static_cast<float>(found->second.cell / page.columns()) * static_cast<float>(page.height);
+    const auto row = found->second.cell / page.columns();
+    const auto column = found->second.cell % page.columns();
+    const auto left = static_cast<float>(column) * static_cast<float>(page.width);
+    const auto foot = static_cast<float>(row) * static_cast<float>(page.height);
     return TilePicture{std::bit_cast<ImTextureID>(std::uintptr_t{page.texture.name()}),
                        {left / kSide, (foot + static_cast<float>(page.height)) / kSide},
                        {(left + static_cast<float>(page.width)) / kSide, foot / kSide}};

@@ -33,7 +33,7 @@ private:
         int width = 0;
         int height = 0;
 
-        auto operator<=>(const Key&) const = default;
+        auto operator<=>(const Key&) const = default;  // NOLINT(modernize-use-nullptr)
     };
     // A texture divided into cells of one size.
     struct Page {
