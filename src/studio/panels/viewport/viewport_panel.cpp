@@ -453,7 +453,8 @@ void ViewportPanel::draw_words(const FrameContext& frame) {
         name.empty() || exhibit.source == ExhibitSource::kChampion ? exhibit.title : name);
     shadowed_text(list, fonts.title, px(20), at, palette.text, title);
     at.y += px(27);
-    shadowed_text(list, fonts.body, px(15), at, palette.muted, second_line(frame));
+    const Color second = world != nullptr ? with_alpha(palette.text, 0.85F) : palette.muted;
+    shadowed_text(list, fonts.body, px(15), at, second, second_line(frame));
     at.y += px(22) + (has_actions(frame) ? px(kActionsHeight) : 0.0F);
     if (frame.viewer.playback.creature().replay().diverged()) {
         shadowed_text(list, fonts.body, px(15), at, palette.danger,

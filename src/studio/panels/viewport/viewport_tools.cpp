@@ -133,7 +133,12 @@ void draw_shown_actions(const FrameContext& frame, const ImVec2& at, Requests& o
 
 void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& out) {
     const float width = frame.window.viewer_only ? px(30) : px(30) * 2 + px(24) + px(4) * 2;
-    ImGui::SetCursorScreenPos({area.x + area.width - width - px(10), area.y + px(10)});
+    const ImVec2 at = {area.x + area.width - width - px(10), area.y + px(10)};
+    // A plate, so that they are seen before any sky.
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x - px(4), at.y - px(2)},
+                                              {at.x + width + px(4), at.y + px(32)},
+                                              paint(with_alpha(colors().panel, 0.6F)), px(6));
+    ImGui::SetCursorScreenPos(at);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(4)));
     if (!frame.window.viewer_only) {
         menu_button("Ghosts", Icon::kGhost, "Champions of other generations beside this one",
