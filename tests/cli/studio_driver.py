@@ -197,7 +197,7 @@ class StudioTest(ProgramTest):
         # Held for a short time, so that a frame sees both keys down.
         self.display.tool("keydown", "ctrl", "keydown", "a", "sleep", 0.2, "keyup", "a", "keyup",
                           "ctrl", "type", "--delay", "30", text)
-        time.sleep(SHOWN)  # so that a key that follows has a frame of its own
+        time.sleep(2 * SHOWN)  # so that a key that follows has a frame of its own
 
     def save_as(self, keys, name):
         """Saves with the file panel that these keys open; returns the path."""

@@ -436,6 +436,7 @@ TEST_CASE("presence keeps its fields, and is cut to what may be shown", "[cluste
     const std::string text = hello_text(hello);
     CHECK(text.size() <= 4'000);
     const Result<Hello> cut = parse_hello(text);
+    INFO((cut ? std::string() : cut.error().message));
     REQUIRE(cut);
     CHECK(cut->name == std::string(39, 'a'));
     CHECK(cut->refusals.size() == 10);

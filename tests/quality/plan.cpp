@@ -58,7 +58,7 @@ std::vector<RunSpec> quick_plan() {
     constexpr std::uint64_t kSeeds = 7;
     std::vector<RunSpec> runs;
     // Walking is won early.
-    for (const auto& [goal, budget] : {std::pair{"swimming", 900}, std::pair{"walking", 300}}) {
+    for (const auto& [goal, budget] : {std::pair{"swimming", 1500}, std::pair{"walking", 300}}) {
         for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
             for (const std::string_view arm : {kEvolution, kRandomSearch}) {
                 runs.push_back({.plan = "quick",

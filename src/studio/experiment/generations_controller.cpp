@@ -62,15 +62,14 @@ void GenerationsController::log_finished() {
     const EvolutionSnapshot& snapshot = experiment_.open().snapshot();
     if (snapshot.experiment != seen_experiment_) {
         seen_experiment_ = snapshot.experiment;
-        seen_champions_ = 0;
+        seen_rows_ = 0;
     }
-    for (std::size_t i = seen_champions_; i < snapshot.champions.size(); ++i) {
-        const JudgedIndividual& champion = snapshot.champions[i];
-        services_.feedback.log().write("generation",
-                                       {{"number", static_cast<double>(champion.generation)},
-                                        {"best", champion.individual->result.fitness}});
+    for (std::size_t i = seen_rows_; i < snapshot.history.size(); ++i) {
+        const GenerationStatistics& row = snapshot.history[i];
+        services_.feedback.log().write(
+            "generation", {{"number", static_cast<double>(row.generation)}, {"best", row.best}});
     }
-    seen_champions_ = snapshot.champions.size();
+    seen_rows_ = snapshot.history.size();
 }
 
 // Displays the newest champion once the one before was displayed for kLeastStay; the first one at

@@ -50,7 +50,7 @@ private:
     std::uint64_t kept_stars_ = 0;  // revision of the stars that were saved last
     unsigned starred_run_ = 0;      // number of runs begun when the stars were given
     std::uint64_t seen_experiment_ = 0;
-    std::size_t seen_champions_ = 0;
+    std::size_t seen_rows_ = 0;
 };
 
 }  // namespace cambrian

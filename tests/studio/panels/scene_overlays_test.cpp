@@ -49,6 +49,9 @@ TEST_CASE("each overlay switches something of the picture on and off", "[studio]
             for (const OverlayKind& each : overlay_kinds())
                 overlays.*each.shown = false;
             overlays.*overlay.shown = shown;
+            // Other looks show less of a skin where an overlay would be hidden by it.
+            run.studio.view().look =
+                overlay.shown == &OverlaysShown::scenery ? LookMode::kLife : LookMode::kMechanics;
             const FrameContext frame = run.studio.frame();
             Requests out;
             gui.frame([&] { panel.draw(frame, out); });
