@@ -55,6 +55,18 @@ target_compile_options(cambrian_warnings INTERFACE
 target_compile_options(cambrian_warnings INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds>)
 
+# All symbols of libraries are bound when a program starts; then nothing can redirect them any more.
+target_link_options(cambrian_options INTERFACE $<$<CONFIG:Release>:LINKER:-z,now>)
+
+# cambrian_guard(<target>) makes the release build of code that reads what strangers wrote stop at accesses
+# beyond an object. Layers that compute a trial are left out: they get checked data, and each access counts.
+function(cambrian_guard target)
+  if(NOT CAMBRIAN_SANITIZE)
+    target_compile_options(${target} PRIVATE
+      $<$<CONFIG:Release>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2;-D_GLIBCXX_ASSERTIONS>)
+  endif()
+endfunction()
+
 # cambrian_layer(<name> [WAITS] SOURCES <file>... [DEPENDS <layer or third_party target>...])
 # declares the library cambrian_<name>; includes are written from src/. A layer that WAITS for people,
 # files or other programs most of its time is compiled with less optimisation, in less time. Of an inline

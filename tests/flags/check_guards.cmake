@@ -1,0 +1,21 @@
+# A release program binds all symbols when it starts, and what reads strangers' files stops at accesses
+# beyond an object.
+cmake_minimum_required(VERSION 3.25)
+execute_process(COMMAND ${READELF} --dynamic ${PROGRAM} OUTPUT_VARIABLE dynamic COMMAND_ERROR_IS_FATAL ANY)
+if(NOT dynamic MATCHES "NOW")
+  message(SEND_ERROR "${PROGRAM} binds symbols late: link it with -z now")
+endif()
+execute_process(COMMAND ${NM} --dynamic --undefined-only ${PROGRAM}
+  OUTPUT_VARIABLE needed COMMAND_ERROR_IS_FATAL ANY)
+if(NOT needed MATCHES "glibcxx_assert_fail")
+  message(SEND_ERROR "${PROGRAM} has no assertions of the standard library")
+endif()
+file(STRINGS ${COMMANDS} commands REGEX "\"command\".*src/persist")
+if(NOT commands)
+  message(SEND_ERROR "${COMMANDS} names no source of src/persist")
+endif()
+foreach(command IN LISTS commands)
+  if(NOT command MATCHES "-D_FORTIFY_SOURCE=2")
+    message(SEND_ERROR "not fortified: ${command}")
+  endif()
+endforeach()
