@@ -54,4 +54,9 @@ std::span<const OverlayKind> overlay_kinds() {
     return kOverlays;
 }
 
+const DrawnWorld* shown_world(const ViewState& view, const Environment& environment) {
+    if (!view.overlays.scenery || view.look == LookMode::kMechanics) return nullptr;
+    return &drawn_world(world_kind_of(environment), daytime_of(view.theme));
+}
+
 }  // namespace cambrian

@@ -2,6 +2,7 @@
 
 // The overlays that can be drawn over the displayed creature, for the menus and the stored state.
 
+#include "pictures/scene/worlds.h"
 #include "studio/look/view_state.h"
 
 #include <span>
@@ -16,5 +17,8 @@ struct OverlayKind {
 };
 
 std::span<const OverlayKind> overlay_kinds();
+
+// Returns the world that the scenery shows for an environment; null if none is shown.
+const DrawnWorld* shown_world(const ViewState& view, const Environment& environment);
 
 }  // namespace cambrian

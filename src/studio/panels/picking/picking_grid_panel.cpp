@@ -7,6 +7,7 @@
 #include "pictures/scene/moment.h"
 #include "pictures/scene/small_life.h"
 #include "studio/hand_picking/drag_payload.h"
+#include "studio/look/overlays.h"
 #include "studio/widgets/widgets.h"
 
 #include <fmt/core.h>
@@ -179,9 +180,14 @@ void PickingGridPanel::build_scene(std::size_t cell, const FrameContext& frame) 
     const CreatureLook look{*recorded.phenotype,  shown.poses, {},
                             creature.genome->hue, {},          shown.stretches,
                             frame.view.look,      character};
-    if (frame.view.overlays.grid) add_grid(canvas.frame, palette, canvas.camera, size_);
+    const DrawnWorld* world = shown_world(frame.view, motion.environment());
+    if (world != nullptr) {
+        use_world(canvas.frame, *world);
+    } else if (frame.view.overlays.grid) {
+        add_grid(canvas.frame, palette, canvas.camera, size_);
+    }
     if (ground) {
-        add_ground(canvas.frame, palette, canvas.camera, size_);
+        if (world == nullptr) add_ground(canvas.frame, palette, canvas.camera, size_);
         add_shadow(canvas.frame, look);
     }
     if (frame.view.overlays.trail) {

@@ -9,6 +9,7 @@
 #include "pictures/scene/living_look.h"
 #include "pictures/scene/small_life.h"
 #include "pictures/scene/worlds.h"
+#include "studio/look/overlays.h"
 #include "studio/panels/viewport/scene_overlays.h"
 #include "studio/panels/viewport/viewport_tools.h"
 #include "studio/widgets/widgets.h"
@@ -95,11 +96,8 @@ Character shown_character(const FrameContext& frame) {
     return character;
 }
 
-// Returns the world that the scenery shows, or null.
-const DrawnWorld* shown_world(const FrameContext& frame) {
-    if (!frame.view.overlays.scenery || frame.view.look == LookMode::kMechanics) return nullptr;
-    return &drawn_world(world_kind_of(frame.viewer.playback.creature().replay().environment()),
-                        daytime_of(frame.view.theme));
+const DrawnWorld* world_around(const FrameContext& frame) {
+    return shown_world(frame.view, frame.viewer.playback.creature().replay().environment());
 }
 
 // Returns the window with the displayed creature and, in a contest, with the cube and the opponent.
@@ -282,7 +280,7 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
                             playback.creature().motion().stretches(),
                             shown_look(frame),
                             shown_character(frame)};
-    const DrawnWorld* world = shown_world(frame);
+    const DrawnWorld* world = world_around(frame);
     const double time = look.character.time;
     if (world != nullptr) {
         add_scenery(scene, *world, canvas_.camera, canvas_.size(), time);
@@ -350,7 +348,7 @@ void ViewportPanel::draw_marks(const FrameContext& frame) {
     const double spacing = tick * std::ceil(room / (tick * camera.pixels_per_metre));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const WithFont font(ui().fonts.small);
-    const DrawnWorld* world = shown_world(frame);
+    const DrawnWorld* world = world_around(frame);
     const Color color = world != nullptr ? world->words : colors().muted;
     for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
         const std::string label = with_unit(i * spacing, "m");
@@ -445,7 +443,7 @@ void ViewportPanel::draw_words(const FrameContext& frame) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Fonts& fonts = ui().fonts;
     const Exhibit& exhibit = frame.viewer.playback.exhibit();
-    const DrawnWorld* world = shown_world(frame);
+    const DrawnWorld* world = world_around(frame);
     const Palette& palette = world != nullptr ? palette_over(*world) : colors();
     ImVec2 at = {canvas_.area.x + px(16), canvas_.area.y + px(12)};
     const std::string& name = exhibit.genome()->name;
