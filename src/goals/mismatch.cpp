@@ -25,7 +25,7 @@ std::string needs_ground(const Environment& environment) {
 }
 
 std::string needs_level_ground(const Environment& environment) {
-    const std::string missing = needs_ground(environment);
+    std::string missing = needs_ground(environment);
     if (!missing.empty()) return missing;
     if (sine_cosine_of_degrees(environment.gravity_direction).cosine != 0.0)
         return "the ground slopes, which favors one side";

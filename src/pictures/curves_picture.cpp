@@ -15,9 +15,9 @@ constexpr double kCurvesMargin = 40.0;
 constexpr double kCurvesHeader = 150.0;  // height of the title and the line below it
 constexpr double kLeft = 120.0;          // left end of the horizontal axis
 constexpr double kBottom = 96.0;
-constexpr double kLegend = 40.0;       // height of a line of the legend
-constexpr std::size_t kOneColumn = 4;  // most curves whose names fit in one column
-constexpr std::size_t kColumns = 3;    // columns of the legend for more curves
+constexpr double kLegend = 40.0;           // height of a line of the legend
+constexpr std::size_t kOneColumn = 4;      // most curves whose names fit in one column
+constexpr std::size_t kLegendColumns = 3;  // columns of the legend for more curves
 constexpr int kMostTicks = 6;
 constexpr float kBandShade = 0.22F;
 
@@ -53,7 +53,7 @@ public:
           unit_(canvas.height() / kCurvesHeight),
           width_(greatest(curves, &BandedCurve::x)),
           height_(greatest(curves, &BandedCurve::upper)) {
-        columns_ = curves.size() > kOneColumn ? kColumns : 1;
+        columns_ = curves.size() > kOneColumn ? kLegendColumns : 1;
         const std::size_t rows = (curves.size() + columns_ - 1) / columns_;
         const double legend = kLegend * unit_ * static_cast<double>(rows);
         const double top = kCurvesHeader * unit_;

@@ -10,18 +10,18 @@
 namespace cambrian {
 namespace {
 
-constexpr double kHead = 48.0;    // pixels at scale 1; height of the line above the world
-constexpr double kMargin = 12.0;  // pixels at scale 1, around the world
+constexpr double kHeadHeight = 48.0;   // pixels at scale 1; height of the line above the world
+constexpr double kWorldMargin = 12.0;  // pixels at scale 1, around the world
 
 }  // namespace
 
 void draw_world_frame(PictureCanvas& canvas, const Palette& palette, const PreservePicture& picture,
                       const std::string& name) {
     const double unit = layout_unit(canvas);
-    const double head = std::min(kHead * unit, 0.25 * canvas.height());
+    const double head = std::min(kHeadHeight * unit, 0.25 * canvas.height());
     const Area room = {0.0, head, static_cast<double>(canvas.width()), canvas.height() - head};
     const Area world =
-        room.inset(std::min(kMargin * unit, 0.1 * std::min(room.width, room.height)));
+        room.inset(std::min(kWorldMargin * unit, 0.1 * std::min(room.width, room.height)));
     Camera camera;
     camera.center = picture.area.middle().head<2>();
     camera.pixels_per_metre =

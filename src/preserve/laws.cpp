@@ -19,7 +19,7 @@
 namespace cambrian {
 namespace {
 
-constexpr std::string_view kPrefix = intervention::kLaw;
+constexpr std::string_view kLawPrefix = intervention::kLaw;
 
 // "table.key" of each, in the order of display.
 constexpr std::array kLaws = {"preserve.growth-time",
@@ -41,7 +41,7 @@ std::string name_of(const SettingField& field) {
     return field.table + "." + field.key;
 }
 
-std::vector<std::string> names_of(std::span<const SettingField> laws) {
+std::vector<std::string> law_names(std::span<const SettingField> laws) {
     std::vector<std::string> names;
     std::transform(laws.begin(), laws.end(), std::back_inserter(names), name_of);
     return names;
@@ -75,13 +75,13 @@ Result<SettingsPtr> changed_by(const SettingsPtr& settings,
     auto changed = std::make_shared<ExperimentSettings>(*settings);
     for (const Intervention& each : interventions) {
         if (!is_law(each.what)) continue;
-        const std::string name = each.what.substr(kPrefix.size());
+        const std::string name = each.what.substr(kLawPrefix.size());
         const auto law = std::find_if(laws.begin(), laws.end(), [&](const SettingField& field) {
             return name_of(field) == name;
         });
         if (law == laws.end())
             return Error{fmt::format("there is no law \"{}\" that can be changed; known are {}",
-                                     name, fmt::join(names_of(laws), ", "))};
+                                     name, fmt::join(law_names(laws), ", "))};
         if (Status set = set_law(*law, each.x, *changed); !set) return set.error();
         if (Status fits = check_preserve_memory(changed->preserve); !fits) return fits.error();
     }
@@ -111,7 +111,7 @@ double law_value(const SettingField& law, ExperimentSettings& settings) {
 }
 
 bool is_law(std::string_view what) {
-    return what.starts_with(kPrefix);
+    return what.starts_with(kLawPrefix);
 }
 
 Intervention law_change(const SettingField& law, double value) {

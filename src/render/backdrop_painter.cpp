@@ -227,9 +227,9 @@ void BackdropPainter::paint_ridges(const Scenery& scenery) {
         const int high = scenery.height * (recipe.has_ground ? 24 - 3 * chain : 30) / 100;
         const int low = recipe.has_ground ? horizon_of(scenery.height) - 2
                                           : high * (15 * (2 - chain) - 25) / 100;
+        const int waves = (4 + 2 * chain) * scenery.width / kLeastWidth;
         glUniform4f(ridge.uniform("strip"), static_cast<float>(low), static_cast<float>(high),
-                    static_cast<float>(3 + 7 * chain),
-                    static_cast<float>((4 + 2 * chain) * scenery.width / kLeastWidth));
+                    static_cast<float>(3 + 7 * chain), static_cast<float>(waves));
         give_color(ridge, "crest", crest);
         give_color(ridge, "foot", foot);
         const float shine = recipe.form == RidgeForm::kSeabed ? 0.03F : 0.12F;

@@ -48,7 +48,7 @@ Result<fs::path> make_folder(const std::string& name) {
 }  // namespace
 
 fs::path temporary_folder() {
-    const char* const named = std::getenv("TMPDIR");
+    const char* const named = std::getenv("TMPDIR");  // NOLINT(concurrency-mt-unsafe)
     return named != nullptr && *named != '\0' ? named : "/tmp";
 }
 

@@ -245,17 +245,16 @@ SceneStatus StepControl::step(Tick& tick) {
     const StepEnds ends{tick.state.motion, *start_rate_, result_.end, *end_rate_, h};
     const std::optional<double> until = look_for_crossing(tick, ends, depth);
     tick.must_stop = until && *until < 1.0;
-    if (!until) {
+    const bool stops = tick.must_stop || (until && can_bounce && has_new_impact(contacts_));
+    if (!until || (!stops && is_too_deep(tick, depth, h))) {
         reject_end(tick, h);
-    } else if (tick.must_stop || (can_bounce && has_new_impact(contacts_))) {
+    } else if (stops) {
         Motion motion;
         const double share =
             find_impact(tick.model, tick.law, ends, *until, contacts_, motion, end);
         copy_motion(tick.model, motion, result_.end);
         tick.underflows = 0;
         accept_part(tick, h, share);
-    } else if (is_too_deep(tick, depth, h)) {
-        reject_end(tick, h);
     } else {
         tick.underflows = 0;
         accept(tick, has_rows, h);

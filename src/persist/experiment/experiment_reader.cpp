@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t kLargestPopulation = 100'000;
 constexpr std::size_t kMostSettings = 100'000;  // bytes of one settings text
 constexpr std::int64_t kLeastRow = 8;           // least bytes per row, approximately
-constexpr std::size_t kMostCells = 25;
+constexpr std::size_t kMostGridCells = 25;
 
 template <std::size_t Count>
 std::size_t index_of(std::string_view name, const std::array<std::string_view, Count>& names) {
@@ -340,7 +340,7 @@ private:
         if (node.creatures.empty()) throw DatabaseError("a grid is empty");
         const PickingTree& tree = read_.picking.tree;
         node.picks =
-            picks(row.text(7), tree.empty() ? kMostCells : tree.current().creatures.size());
+            picks(row.text(7), tree.empty() ? kMostGridCells : tree.current().creatures.size());
         return node;
     }
 

@@ -5,7 +5,7 @@
 namespace cambrian {
 namespace {
 
-constexpr std::string_view kPrefix = "fnv1a64:";
+constexpr std::string_view kDigestPrefix = "fnv1a64:";
 constexpr std::size_t kDigestDigits = 16;
 constexpr std::string_view kHexDigits = "0123456789abcdef";
 
@@ -51,12 +51,12 @@ std::optional<std::vector<std::uint8_t>> parse_hex_pairs(std::string_view text) 
 }
 
 std::string digest_text(std::uint64_t digest) {
-    return std::string(kPrefix) + hex_text(digest);
+    return std::string(kDigestPrefix) + hex_text(digest);
 }
 
 std::optional<std::uint64_t> parse_digest(std::string_view text) {
-    if (text.substr(0, kPrefix.size()) != kPrefix) return std::nullopt;
-    return parse_hex(text.substr(kPrefix.size()));
+    if (text.substr(0, kDigestPrefix.size()) != kDigestPrefix) return std::nullopt;
+    return parse_hex(text.substr(kDigestPrefix.size()));
 }
 
 }  // namespace cambrian
