@@ -66,13 +66,15 @@ The licence of Cambrian is in its file `LICENSE`.
 | {fmt} | text | MIT |
 | CLI11 | the command line | BSD, 3 clauses |
 | libnats | several machines, where built with it | Apache 2.0 |
+| Fontconfig | typefaces of other scripts | HPND |
+| XCB | the clipboard | MIT |
 | Inter | the typeface, where installed | SIL Open Font License 1.1 |
 
 Their sources: `github.com/ocornut/imgui`, `glfw.org`, `github.com/Dav1dde/glad`,
 `github.com/nothings/stb`, `eigen.tuxfamily.org`, `github.com/nlohmann/json`,
 `github.com/marzer/tomlplusplus`, `sqlite.org`, `libpng.org`, `github.com/ebiggers/libdeflate`,
 `github.com/fmtlib/fmt`, `github.com/CLIUtils/CLI11`,
-`github.com/nats-io/nats.c`, `rsms.me/inter`.
+`github.com/nats-io/nats.c`, `fontconfig.org`, `xcb.freedesktop.org`, `rsms.me/inter`.
 )";
 
 std::vector<HelpPage> read_folder(const std::filesystem::path& folder) {
