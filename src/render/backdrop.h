@@ -31,11 +31,4 @@ struct BackdropRecipe {
     std::array<Color, 4> ground;  // cover, soil below it, deep soil, stones
 };
 
-// What a frame shows of a backdrop. The recipe is compared by address, so it must stay where it is
-// while frames name it.
-struct Backdrop {
-    const BackdropRecipe* recipe = nullptr;  // null: the frame has a plain background
-    double drift = 0.0;                      // pixels by which the sky has moved to the left
-};
-
 }  // namespace cambrian

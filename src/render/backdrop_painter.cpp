@@ -191,7 +191,7 @@ void BackdropPainter::paint_far(Scenery& scenery) {
     give_color(sky, "high", recipe.sky[2]);
     const double begin = recipe.has_ground ? 0.5 * horizon_of(scenery.height) : 0.0;
     give(sky, "ranges", 0.5 * begin, 0.5 * (scenery.height - begin), 0.5 * scenery.height);
-    give(sky, "weather", static_cast<double>(recipe.clouds), static_cast<double>(recipe.shafts), 0);
+    glUniform2f(sky.uniform("weather"), recipe.clouds, recipe.shafts);
     cover({0, 0, half->width(), half->height()});
 
     far->bind_to_draw();
@@ -283,31 +283,28 @@ void BackdropPainter::scale_ground(Scenery& scenery, double pixels_per_metre) {
     scenery.ground = std::move(*ground);
 }
 
-void BackdropPainter::draw(const Backdrop& backdrop, const Camera& camera,
+void BackdropPainter::draw(const BackdropRecipe& recipe, const Camera& camera,
                            const PixelRect& target) {
-    const BackdropRecipe& recipe = *backdrop.recipe;
     glEnable(GL_SCISSOR_TEST);
     Scenery& scenery = scenery_for(recipe, target);
     const int surface = recipe.has_ground ? surface_of(camera, target) : 0;
     const bool ground_seen = scenery.tile && surface > 0;
-    // Zooms that a person cannot tell apart are not painted twice.
     if (ground_seen && scenery.scale != camera.pixels_per_metre)
         scale_ground(scenery, camera.pixels_per_metre);
     const KeptFramebuffers kept;
     fill_rect(target, recipe.sky[1]);
     glScissor(target.x, target.y, target.width, target.height);
-    if (scenery.far) copy_far(scenery, backdrop, camera, target, surface);
+    if (scenery.far) copy_far(scenery, camera, target, surface);
     if (ground_seen && scenery.ground) copy_ground(scenery, camera, target, surface);
     glViewport(target.x, target.y, target.width, target.height);
 }
 
-void BackdropPainter::copy_far(const Scenery& scenery, const Backdrop& backdrop,
-                               const Camera& camera, const PixelRect& target, int surface) const {
+void BackdropPainter::copy_far(const Scenery& scenery, const Camera& camera,
+                               const PixelRect& target, int surface) const {
     scenery.far->bind_to_copy();
     const int width = scenery.far->width();
     const int height = scenery.far->height();
-    const int from =
-        wrapped(camera.center.x() * camera.pixels_per_metre * kFarSpeed + backdrop.drift, width);
+    const int from = wrapped(camera.center.x() * camera.pixels_per_metre * kFarSpeed, width);
     // Where the picture's lower edge is: the horizon lies on the ground, or the upper edges agree.
     const int low =
         scenery.recipe->has_ground ? surface - horizon_of(scenery.height) : target.height - height;

@@ -23,7 +23,7 @@ public:
 
     // Fills the target. Where a driver has no textures of that size, it is filled with the sky's
     // middle colour. Scissoring remains enabled for the target.
-    void draw(const Backdrop& backdrop, const Camera& camera, const PixelRect& target);
+    void draw(const BackdropRecipe& recipe, const Camera& camera, const PixelRect& target);
 
 private:
     // A recipe's pictures for one size of view.
@@ -46,8 +46,8 @@ private:
     void paint_tile(Scenery& scenery);
     void scale_ground(Scenery& scenery, double pixels_per_metre);
     // `surface` is the height of y = 0 in the target, in pixels.
-    void copy_far(const Scenery& scenery, const Backdrop& backdrop, const Camera& camera,
-                  const PixelRect& target, int surface) const;
+    void copy_far(const Scenery& scenery, const Camera& camera, const PixelRect& target,
+                  int surface) const;
     void copy_ground(const Scenery& scenery, const Camera& camera, const PixelRect& target,
                      int surface) const;
     // Runs the shader in use over a rectangle of the bound texture.

@@ -61,7 +61,7 @@ uniform vec3 low;
 uniform vec3 middle;
 uniform vec3 high;
 uniform vec3 ranges;   // of heights: where the gradient begins, its length; and the view's height
-uniform vec3 weather;  // clouds, shafts, and the height of the water's surface as a share
+uniform vec2 weather;  // clouds, shafts
 void main() {
     vec2 at = gl_FragCoord.xy;
     float t = clamp((at.y - ranges.x) / ranges.y, 0.0, 1.0);

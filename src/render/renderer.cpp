@@ -146,8 +146,8 @@ void Renderer::draw_shapes(std::span<const Shape> shapes, const Camera& camera,
 void Renderer::draw(const SceneFrame& frame, const Camera& camera, const PixelRect& target) {
     const Viewport viewport{static_cast<double>(target.width), static_cast<double>(target.height)};
     glViewport(target.x, target.y, target.width, target.height);
-    if (frame.backdrop.recipe != nullptr)
-        backdrop_painter_.draw(frame.backdrop, camera, target);
+    if (frame.backdrop != nullptr)
+        backdrop_painter_.draw(*frame.backdrop, camera, target);
     else
         fill_rect(target, frame.background);
     const std::span<const Shape> shapes = frame.shapes;

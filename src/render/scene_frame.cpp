@@ -63,6 +63,7 @@ void SceneFrame::add_skin(Skin skin) {
 }
 
 void SceneFrame::clear() {
+    backdrop = nullptr;
     shapes.clear();
     skins.clear();
     skin_boxes.clear();

@@ -26,8 +26,10 @@ struct Shape {
 };
 
 struct SceneFrame {
-    Color background;                 // may be transparent in a framebuffer of its own
-    Backdrop backdrop;                // covers the background if it has a recipe
+    Color background;  // may be transparent in a framebuffer of its own
+    // Covers the background unless it is null. Recipes are told apart by address, so each must stay
+    // where it is while frames name it.
+    const BackdropRecipe* backdrop = nullptr;
     std::vector<Shape> shapes;        // from back to front
     std::vector<Skin> skins;          // the same; each says how many shapes are behind it
     std::vector<SkinBox> skin_boxes;  // of all skins

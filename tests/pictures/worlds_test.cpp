@@ -112,7 +112,7 @@ TEST_CASE("ground begins at height 0 and moves with the camera, what is far move
     for (const WorldKind kind : kAllWorlds) {
         INFO(static_cast<int>(kind));
         SceneFrame frame;
-        frame.backdrop.recipe = &drawn_world(kind, Daytime::kNoon).recipe;
+        frame.backdrop = &drawn_world(kind, Daytime::kNoon).recipe;
         Camera camera;
         camera.pixels_per_metre = 100.0;
         camera.center = {0.0, 0.5};
@@ -120,7 +120,7 @@ TEST_CASE("ground begins at height 0 and moves with the camera, what is far move
         camera.center.x() += 0.4;  // 40 pixels
         const Image after = easel.picture(frame, camera, 320, 200);
         // The middle of 200 rows is at 0.5 m, so y = 0 lies 50 pixels below it.
-        const bool ground = frame.backdrop.recipe->has_ground;
+        const bool ground = frame.backdrop->has_ground;
         for (const int y : {151, 199})
             CHECK(moved_by(after, before, y, ground ? 40 : 4));
         for (const int y : {0, 148})
@@ -131,7 +131,7 @@ TEST_CASE("ground begins at height 0 and moves with the camera, what is far move
 TEST_CASE("views of any size and place have a backdrop", "[pictures][worlds][picture]") {
     Easel easel;
     SceneFrame frame;
-    frame.backdrop.recipe = &drawn_world(WorldKind::kMeadow, Daytime::kDusk).recipe;
+    frame.backdrop = &drawn_world(WorldKind::kMeadow, Daytime::kDusk).recipe;
     for (const Vec2& center : {Vec2(0.0, 0.0), Vec2(-1e6, 1e5), Vec2(1e6, -1e5)}) {
         for (const double scale : {Camera::kMinScale, 100.0, Camera::kMaxScale}) {
             Camera camera;

@@ -44,5 +44,23 @@ TEST_CASE("a trail is fainter the older it is", "[render][scene_frame]") {
         CHECK(frame.shapes[i].fill.a > frame.shapes[i - 1].fill.a);
 }
 
+TEST_CASE("a cleared frame shows nothing of the one before", "[render]") {
+    const BackdropRecipe recipe;
+    SceneFrame frame;
+    frame.backdrop = &recipe;
+    frame.light.lamp_power = 1.0F;
+    frame.add_circle(Vec2::Zero(), 1.0, color_of(0xFFFFFF));
+    frame.skin_boxes.emplace_back();
+    Skin skin;
+    skin.boxes = 1;
+    frame.add_skin(skin);
+    frame.clear();
+    CHECK(frame.backdrop == nullptr);
+    CHECK(frame.light.lamp_power == 0.0F);
+    CHECK(frame.shapes.empty());
+    CHECK(frame.skins.empty());
+    CHECK(frame.skin_boxes.empty());
+}
+
 }  // namespace
 }  // namespace cambrian

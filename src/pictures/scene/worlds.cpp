@@ -68,7 +68,6 @@ DrawnWorld meadow_at_noon() {
     world.light.ink = {0.20F, 0.17F, 0.20F};
     world.grass = color_of(0x5E9A3C);
     world.words = color_of(0xFFFFFF);
-    world.shadow = 0.45F;
     return world;
 }
 
@@ -84,7 +83,6 @@ DrawnWorld meadow_by_day() {
     world.light.ink = {0.28F, 0.23F, 0.26F};
     world.grass = color_of(0x7DB85A);
     world.words = color_of(0x4A3A2C);
-    world.shadow = 0.30F;
     return world;
 }
 
@@ -124,7 +122,6 @@ DrawnWorld moon() {
     world.light.ink = {0.10F, 0.10F, 0.12F};
     world.grass = {0.0F, 0.0F, 0.0F, 0.0F};
     world.words = color_of(0x1A1A1C);
-    world.shadow = 0.70F;
     return world;
 }
 
@@ -145,7 +142,6 @@ DrawnWorld ice() {
     world.grass = {0.0F, 0.0F, 0.0F, 0.0F};
     world.specks = color_of(0xFFFFFF, 0.8F);
     world.words = color_of(0x0F3A52);
-    world.shadow = 0.30F;
     return world;
 }
 
@@ -164,7 +160,6 @@ DrawnWorld water() {
     world.light.ink = {0.08F, 0.12F, 0.16F};
     world.specks = color_of(0xB5E3E0, 0.35F);
     world.words = color_of(0xD8FFFA);
-    world.shadow = 0.35F;
     return world;
 }
 
@@ -433,7 +428,7 @@ const Palette& palette_over(const DrawnWorld& world) {
 
 void use_world(SceneFrame& frame, const DrawnWorld& world) {
     frame.background = world.recipe.sky[1];
-    frame.backdrop.recipe = &world.recipe;
+    frame.backdrop = &world.recipe;
     frame.light = world.light;
 }
 

@@ -36,7 +36,6 @@ struct DrawnWorld {
     Color grass = {0.0F, 0.0F, 0.0F, 0.0F};   // of blades; transparent where none grow
     Color specks = {0.0F, 0.0F, 0.0F, 0.0F};  // of snow or plankton; the same
     Color words = {};                         // of marks and labels on the ground
-    float shadow = 0.0F;                      // darkness of shadows on the ground, 0 to 1
 };
 
 // Returns the kind of world, by the first rule that fits: a lamp makes night, drag as great as the
