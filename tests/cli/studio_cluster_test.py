@@ -1,7 +1,6 @@
 """The studio in a real X window with a real server and real workers on this machine."""
 
 import subprocess
-import time
 import unittest
 
 from experiment_tables import digests
@@ -129,7 +128,7 @@ class StudioOnSeveralMachines(StudioTest):
         self.wait_for("machines", machines=8, cores=8, link="connected")
         self.wait_for("generation", number=1)
         self.open_card()
-        time.sleep(1.0)
+        self.display.wait_for_frames(4)
         self.assert_painted(display.picture("machines-1920x1080.png"))
         self.quit()
 

@@ -49,21 +49,20 @@ class StudioDesktop(StudioTest):
         mute = self.x_client(display, "mute")
         for _ in range(2):
             self.press("ctrl")
-            display.tool("keydown", "ctrl", "key", "v", "sleep", 0.2, "keyup", "ctrl")
+            display.act(["keydown", "ctrl", "key", "v"], ["keyup", "ctrl"])
             self.assertLess(self.seconds_until_it_reacts(), 5)
         mute.kill()
         mute.wait()
         # The text of a program that answers is pasted, and so is the studio's own.
         self.x_client(display, "offer", "ity-dir")
-        display.tool("keydown", "ctrl", "key", "v", "sleep", 0.2, "keyup", "ctrl")
+        display.act(["keydown", "ctrl", "key", "v"], ["keyup", "ctrl"])
         self.wait_for("place", name="environment.gravity-direction")
         self.wait_for("gone", name="environment.gravity")
         after = len(self.events())
         for key in ["a", "x"]:
-            display.tool("keydown", "ctrl", "keydown", key, "sleep", 0.2, "keyup", key, "keyup",
-                         "ctrl")
+            display.act(["keydown", "ctrl", "keydown", key], ["keyup", key, "keyup", "ctrl"])
         _, after = self.wait_for("place", after=after, name="group goal")
-        display.tool("keydown", "ctrl", "key", "v", "sleep", 0.2, "keyup", "ctrl")
+        display.act(["keydown", "ctrl", "key", "v"], ["keyup", "ctrl"])
         self.wait_for("gone", after=after, name="group goal")
         self.quit()
 

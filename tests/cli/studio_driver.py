@@ -15,7 +15,6 @@ import zlib
 from program import CAMBRIAN, DONE, ProgramTest
 
 PICTURES = pathlib.Path(os.environ.get("CAMBRIAN_PICTURES", "pictures"))
-SHOWN = 0.15  # s until a window shows what happened last, on an idle machine
 PATIENCE = 120  # s to wait for any event on a busy machine
 
 
@@ -57,15 +56,33 @@ class Display:
         with os.fdopen(reading) as numbers:
             self.name = ":" + numbers.readline().strip()
         self.environment = dict(os.environ, DISPLAY=self.name, LIBGL_ALWAYS_SOFTWARE="1")
+        self.frame_log = pathlib.Path(self.memory.name, "frames.csv")  # of the window shown last
 
     def tool(self, *arguments):
         return subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True,
                               stdout=subprocess.PIPE, encoding="utf-8", timeout=PATIENCE).stdout
 
+    def wait_for_frames(self, count=2):
+        """Waits until so many frames of the window have ended. The second began after the call, so
+        it shows all that was done before, however long frames take."""
+        wanted = self.frames() + count
+        end = time.monotonic() + PATIENCE
+        while self.frames() < wanted and time.monotonic() < end:
+            time.sleep(0.01)
+
+    def frames(self):
+        return self.frame_log.read_bytes().count(b"\n") if self.frame_log.exists() else 0
+
+    def act(self, *steps):
+        """Sends xdotool's commands one by one, each in a frame of its own."""
+        for step in steps:
+            self.tool(*step)
+            self.wait_for_frames()
+
     def picture(self, name):
         PICTURES.mkdir(parents=True, exist_ok=True)
         path = PICTURES / name
-        time.sleep(SHOWN)
+        self.wait_for_frames()
         screen = pathlib.Path(self.memory.name, "Xvfb_screen0").read_bytes()
         path.write_bytes(png_of_dump(screen))
         return path
@@ -111,8 +128,9 @@ class StudioTest(ProgramTest):
         self.messages = self.folder / "messages.txt"
         with self.messages.open("wb") as messages:
             studio = subprocess.Popen(
-                [CAMBRIAN, subcommand, "--status-log", str(self.log), "--frame-rate",
-                 str(self.frame_rate), *map(str, arguments)],
+                [CAMBRIAN, subcommand, "--status-log", str(self.log), "--frame-log",
+                 str(display.frame_log), "--frame-rate", str(self.frame_rate),
+                 *map(str, arguments)],
                 cwd=self.folder, env=display.environment, stdout=subprocess.DEVNULL,
                 stderr=messages)
         self.addCleanup(self.stop, studio)
@@ -156,7 +174,7 @@ class StudioTest(ProgramTest):
     def place_of(self, name):
         """Returns the screen position of the middle of a control where it was drawn last."""
         self.wait_for("place", name=name)
-        time.sleep(0.3)  # waits until it no longer moves
+        self.display.wait_for_frames(4)  # until it no longer moves
         found = [event for event in self.events()
                  if event["event"] == "place" and event["name"] == name][-1]
         lines = self.display.tool("getwindowgeometry", "--shell", self.window).split()
@@ -167,19 +185,17 @@ class StudioTest(ProgramTest):
     def type_into(self, name, text):
         """Types a number into a slider, after Ctrl+click."""
         x, y = self.place_of(name)
-        self.display.tool("mousemove", x, y, "sleep", 0.2, "keydown", "ctrl", "sleep", 0.1,
-                          "mousedown", 1, "sleep", 0.1, "mouseup", 1, "sleep", 0.1, "keyup", "ctrl")
+        self.display.act(["mousemove", x, y], ["keydown", "ctrl"], ["mousedown", 1],
+                         ["mouseup", 1], ["keyup", "ctrl"])
         self.type_over(text)
         self.display.tool("key", "Return")
 
     def click(self, name):
         x, y = self.place_of(name)
-        # A short pause between movement and click, as a person makes, gives each its own frame.
-        self.display.tool("mousemove", x, y, "sleep", 0.2, "mousedown", 1, "sleep", 0.1,
-                          "mouseup", 1)
+        self.display.act(["mousemove", x, y], ["mousedown", 1], ["mouseup", 1])
 
     def press(self, key):
-        self.display.tool("keydown", key, "sleep", 0.1, "keyup", key)
+        self.display.act(["keydown", key], ["keyup", key])
 
     def drag(self, name, from_share, to_share):
         """Drags over a control from one share of its width to another, in several steps."""
@@ -187,23 +203,20 @@ class StudioTest(ProgramTest):
         width = self.wait_for("place", name=name)[0]["width"]
         steps = [x + int(width * (from_share + (to_share - from_share) * i / 5 - 0.5))
                  for i in range(6)]
-        self.display.tool("mousemove", steps[0], y, "sleep", 0.2, "mousedown", 1)
-        for step in steps[1:]:
-            self.display.tool("mousemove", step, y, "sleep", 0.1)
-        self.display.tool("mouseup", 1)
+        self.display.act(["mousemove", steps[0], y], ["mousedown", 1],
+                         *(["mousemove", step, y] for step in steps[1:]), ["mouseup", 1])
 
     def type_over(self, text):
-        """Replaces the content of the text field with the keyboard focus."""
-        # Held for a short time, so that a frame sees both keys down.
-        self.display.tool("keydown", "ctrl", "keydown", "a", "sleep", 0.2, "keyup", "a", "keyup",
-                          "ctrl", "type", "--delay", "30", text)
-        time.sleep(2 * SHOWN)  # so that a key that follows has a frame of its own
+        """Replaces the content of the text field that has, or is about to get, the keyboard focus."""
+        self.display.wait_for_frames(4)
+        self.display.act(["keydown", "ctrl", "keydown", "a"], ["keyup", "a", "keyup", "ctrl"],
+                         ["type", "--delay", "30", text])
 
     def save_as(self, keys, name):
         """Saves with the file panel that these keys open; returns the path."""
         after = len(self.events())
         self.display.tool("key", keys)
-        time.sleep(1.0)
+        self.display.wait_for_frames(4)
         self.type_over(str(self.folder / name))
         self.display.tool("key", "Return")
         return pathlib.Path(self.wait_for("saved", after=after)[0]["path"])

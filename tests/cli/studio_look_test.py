@@ -138,9 +138,9 @@ class StudioLook(StudioTest):
                 self.tap("group " + closed.pop(0))
             self.look(f"experiment-{page}", pointed=True)
             page += 1
-            self.display.tool("click", "--repeat", 4, "--delay", 30, 5, "sleep", 0.2)
+            self.display.act(["click", "--repeat", 4, "--delay", 30, 5])
             self.assertLess(page, MOST_PAGES, f"{closed} are not in sight")
-        self.display.tool("click", "--repeat", 20, "--delay", 30, 5, "sleep", 0.2)
+        self.display.act(["click", "--repeat", 20, "--delay", 30, 5])
         self.look(f"experiment-{page}", pointed=True)
 
     def look_at_cards(self):
@@ -248,12 +248,10 @@ class StudioLook(StudioTest):
     def keys(self, *names):
         for name in names:
             keys = name.split("+")
-            self.display.tool(*[word for key in keys for word in ["keydown", key]], "sleep", 0.11,
-                              *[word for key in reversed(keys) for word in ["keyup", key]])
-            time.sleep(0.05)
+            self.display.act([word for key in keys for word in ["keydown", key]],
+                             [word for key in reversed(keys) for word in ["keyup", key]])
 
     def type(self, text):
-        time.sleep(0.4)
         self.type_over(text)
 
     def point_at(self, name):
@@ -261,17 +259,16 @@ class StudioLook(StudioTest):
         place = None
         while place != self.seen().get(name, place):  # menus take a few frames to find their place
             place = self.places[name]
-            time.sleep(0.1)
-        self.display.tool("mousemove", int(place["x"] + place["width"] / 2),
-                          int(place["y"] + place["height"] / 2), "sleep", 0.12)
+            self.display.wait_for_frames()
+        self.display.act(["mousemove", int(place["x"] + place["width"] / 2),
+                          int(place["y"] + place["height"] / 2)])
 
     def tap(self, name):
         self.point_at(name)
-        self.display.tool("mousedown", 1, "sleep", 0.11, "mouseup", 1, "sleep", 0.15)
+        self.display.act(["mousedown", 1], ["mouseup", 1])
 
     def tap_nowhere(self):
-        self.display.tool("mousemove", *self.corner, "sleep", 0.1, "mousedown", 1, "sleep", 0.11,
-                          "mouseup", 1)
+        self.display.act(["mousemove", *self.corner], ["mousedown", 1], ["mouseup", 1])
         self.wait_until(lambda: not any(place["panel"].startswith("##")
                                         for place in self.seen().values()), "the menu stays")
 
@@ -299,7 +296,7 @@ class StudioLook(StudioTest):
         something. Saves one picture per theme if pictures are kept."""
         if not pointed:
             self.display.tool("mousemove", *self.corner)
-        time.sleep(0.1)  # for effects that follow the pointer
+        self.display.wait_for_frames()  # for effects that follow the pointer
         for _ in range(2 if KEEPS_PICTURES else 1):
             self.light = not self.light
             # Keys are handled in order, so everything requested before this key has been drawn,

@@ -1,7 +1,6 @@
 """The studio's preserve in a real X window: its first minute, with the mouse and with keys alone."""
 
 import pathlib
-import time
 import unittest
 
 from experiment_tables import opened
@@ -17,7 +16,7 @@ class StudioPreserve(StudioTest):
         self.start(display)
         display.tool("key", "ctrl+n")
         self.wait_for("place", name="Begin")
-        time.sleep(0.3)
+        self.display.wait_for_frames(4)
         self.press("Return")
         begun, after = self.wait_for("preserve", on=True)
         self.assertEqual(begun["creatures"], 40)
@@ -52,7 +51,6 @@ class StudioPreserve(StudioTest):
         self.assertEqual(fed["number"], 10)
         display.tool("key", "ctrl+o")
         self.wait_for("place", name="file name", after=after)
-        time.sleep(0.5)
         self.type_over(str(SWIMMER))
         display.tool("key", "Return")
         added, after = self.wait_for("intervention", after=after, what="add", done=True)
@@ -78,9 +76,9 @@ class StudioPreserve(StudioTest):
         self.start(display)
         display.tool("key", "ctrl+n")
         _, after = self.wait_for("place", name="Edges that meet")
-        time.sleep(0.3)
+        self.display.wait_for_frames(4)
         self.press("Right")
-        time.sleep(0.3)
+        self.display.wait_for_frames(4)
         self.assert_painted(display.picture("preserve-edges-card-1280x800.png"))
         self.press("Return")
         _, after = self.wait_for("preserve", on=True)
@@ -89,7 +87,7 @@ class StudioPreserve(StudioTest):
         self.press("f")
         _, after = self.wait_for("follow", after=after, on=True)
         _, after = self.state(after, picked=1)
-        time.sleep(1.0)
+        self.display.wait_for_frames(4)
         self.assert_painted(display.picture("preserve-edges-1280x800.png"))
         self.quit()
         kept = self.folder / "state" / "preserve.cambrian"
@@ -108,9 +106,9 @@ class StudioPreserve(StudioTest):
         built, after = self.wait_for("intervention", after=after, what="wall", done=True)
         self.assertEqual(built["number"], 1)
         x, y = self.place_of("world")
-        display.tool("mousemove", x + 20, y - 100, "sleep", 0.3)
+        display.act(["mousemove", x + 20, y - 100])
         self.press("w")
-        display.tool("mousemove", x + 160, y + 90, "sleep", 0.5)
+        display.act(["mousemove", x + 160, y + 90])
         self.assert_painted(display.picture("preserve-wall-1280x800.png"))
         self.press("w")
         built, after = self.wait_for("intervention", after=after, what="wall", done=True)
@@ -138,12 +136,10 @@ class StudioPreserve(StudioTest):
         self.wait_for("place", name="preserve.growth-time")
         self.assert_painted(display.picture("preserve-laws-1280x800.png"))
         self.press("j")
-        time.sleep(0.5)
         self.type_over("30")
         self.press("Tab")
         _, after = self.wait_for("intervention", after=after, what="law preserve.growth-time",
                                  done=True)
-        time.sleep(0.5)
         self.type_over("4")
         self.press("Return")
         _, after = self.wait_for("intervention", after=after, what="law preserve.plant-energy",
@@ -227,13 +223,12 @@ class StudioPreserve(StudioTest):
         self.press("v")
         _, after = self.wait_for("place", name="Back to the world")
         self.press("Escape")
-        time.sleep(0.5)
+        self.display.wait_for_frames(4)
         _, after = self.press_for("a", "intervention", after, what="add", done=True)
         _, after = self.press_for("e", "intervention", after, what="feed", done=True)
         self.press("Home")
         self.press("w")
-        for _ in range(3):
-            self.press("Right")
+        self.press("Right")  # more than once if frames are slow
         _, after = self.press_for("w", "intervention", after, what="wall", done=True)
         _, after = self.press_for("x", "intervention", after, what="erase", done=True)
         _, after = self.press_for("r", "energy rings", after, on=True)
@@ -263,7 +258,6 @@ class StudioPreserve(StudioTest):
         _, after = self.state(after, tick=1)
         display.tool("key", "ctrl+k")
         self.wait_for("place", name="file name", after=after)
-        time.sleep(0.5)
         self.type_over(str(self.folder / "mine"))
         display.tool("key", "Return")
         moved, after = self.wait_for("preserve", after=after, on=True)
@@ -271,7 +265,6 @@ class StudioPreserve(StudioTest):
         display.tool("key", "ctrl+w")
         _, after = self.wait_for("preserve", after=after, on=False)
         display.tool("key", "ctrl+o")
-        time.sleep(1.0)
         self.type_over("mine.cambrian")
         display.tool("key", "Return")
         opened, _ = self.wait_for("preserve", after=after, on=True)

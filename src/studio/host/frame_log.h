@@ -14,9 +14,9 @@ struct FrameTimes {
     double playback = 0.0;  // the part of `work` spent on the motion of creatures
 };
 
-// Writes the times of every frame as CSV. Columns are the frame's number, counted from 1 as in the
-// status log, its start and its hand-over to the display (s, on the system's monotonic clock), and
-// its times in milliseconds.
+// Writes the times of every frame as CSV, flushed at once, so that a reader knows when a frame has
+// ended. Columns are the frame's number, counted from 1 as in the status log, its start and its
+// hand-over to the display (s, on the system's monotonic clock), and its times in milliseconds.
 class FrameLog {
 public:
     explicit FrameLog(const std::filesystem::path& path) {
@@ -32,7 +32,7 @@ public:
     void end_frame(const FrameTimes& times) {
         if (!file_.is_open()) return;
         file_ << frame_ << ',' << began_ << ',' << now() << ',' << 1e3 * times.interval << ','
-              << 1e3 * times.work << ',' << 1e3 * times.playback << '\n';
+              << 1e3 * times.work << ',' << 1e3 * times.playback << std::endl;
     }
 
 private:
