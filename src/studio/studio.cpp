@@ -4,6 +4,7 @@
 #include "core/threads/thread_pool.h"
 #include "pictures/card_picture.h"
 #include "render/renderer.h"
+#include "studio/actions/action.h"
 #include "studio/files/typed_path.h"
 #include "studio/host/frame_log.h"
 #include "studio/host/imgui_host.h"
@@ -11,7 +12,6 @@
 #include "studio/panels/builtin_panels.h"
 #include "studio/panels/generations/timeline_chart.h"
 #include "studio/probe/screen_report.h"
-#include "studio/shortcuts.h"
 #include "studio/studio_controller.h"
 #include "studio/widgets/keyboard_focus.h"
 

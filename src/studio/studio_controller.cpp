@@ -1,7 +1,7 @@
 #include "studio/studio_controller.h"
 
 #include "core/stopwatch.h"
-#include "studio/shortcuts.h"
+#include "studio/actions/action.h"
 
 #include <utility>
 #include <variant>

@@ -1,17 +1,21 @@
-#include "studio/shortcuts.h"
-
+#include "studio/actions/action.h"
 #include "studio_fixture.h"
 
 #include <GLFW/glfw3.h>
+
+#include <set>
 
 namespace cambrian {
 namespace {
 
 TEST_CASE("no two shortcuts share a key", "[studio][shortcuts]") {
-    for (const auto all : {shortcuts(), picking_shortcuts(), preserve_shortcuts()}) {
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            for (std::size_t j = 0; j < i; ++j)
-                CHECK_FALSE(all[i].press == all[j].press);
+    std::set<std::string> every_mode;
+    for (const ActionTable& table : action_tables()) {
+        std::set<std::string> of_mode;
+        for (const Action& action : table.actions) {
+            INFO(table.title << ": " << action.label << " " << action.keys);
+            std::set<std::string>& taken = table.active == nullptr ? every_mode : of_mode;
+            if (!action.keys.empty()) CHECK(taken.insert(action.keys).second);
         }
     }
 }

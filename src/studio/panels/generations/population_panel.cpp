@@ -2,6 +2,7 @@
 
 #include "core/text/pretty_text.h"
 #include "core/text/shown_score.h"
+#include "studio/frame/change_view.h"
 #include "studio/frame/help_mark.h"
 #include "studio/viewer/origin_words.h"
 #include "studio/viewer/score_words.h"
@@ -73,9 +74,7 @@ void draw_order(const FrameContext& frame, Requests& out) {
     if (!open) return tooltip("The order of the creatures. " + std::string(chosen.what));
     for (const TileSorting& sorting : tile_sortings()) {
         if (ImGui::Selectable(sorting.name, sorting.order == chosen.order)) {
-            ViewState view = frame.view;
-            view.order = sorting.order;
-            out.ask(ChangeView{view});
+            change_view(frame, out, [&](ViewState& view) { view.order = sorting.order; });
         }
         note_place(fmt::format("by {}", sorting.id));
         tooltip(sorting.what);
@@ -86,13 +85,10 @@ void draw_order(const FrameContext& frame, Requests& out) {
 // A button that toggles one flag of the view.
 void draw_toggle(const char* label, bool ViewState::*flag, ButtonStyle style,
                  const FrameContext& frame, Requests& out) {
-    ViewState view = frame.view;
-    bool& on = view.*flag;
-    style.look = on ? ButtonLook::kSelected : ButtonLook::kGhost;
+    style.look = frame.view.*flag ? ButtonLook::kSelected : ButtonLook::kGhost;
     style.height = ImGui::GetFrameHeight();
-    if (!push_button(label, style)) return;
-    on = !on;
-    out.ask(ChangeView{view});
+    if (push_button(label, style))
+        change_view(frame, out, [flag](ViewState& view) { view.*flag = !(view.*flag); });
 }
 
 void draw_filter(const FrameContext& frame, Requests& out) {

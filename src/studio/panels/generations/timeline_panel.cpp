@@ -2,8 +2,9 @@
 
 #include "core/text/pretty_text.h"
 #include "core/text/shown_score.h"
+#include "studio/actions/action_menu.h"
+#include "studio/frame/change_view.h"
 #include "studio/frame/help_mark.h"
-#include "studio/panels/generations/export_menu.h"
 #include "studio/widgets/widgets.h"
 
 #include <fmt/core.h>
@@ -26,9 +27,7 @@ void draw_quantities(const FrameContext& frame, Requests& out) {
     if (!open) return tooltip("The quantity plotted (Up, Down). " + std::string(chosen.what));
     for (const TimelinePlot& plot : timeline_plots()) {
         if (ImGui::Selectable(plot.name, &plot == &chosen)) {
-            ViewState view = frame.view;
-            view.quantity = plot.quantity;
-            out.ask(ChangeView{view});
+            change_view(frame, out, [&](ViewState& view) { view.quantity = plot.quantity; });
         }
         note_place(plot.name);
         tooltip(plot.what);
@@ -209,7 +208,7 @@ void draw_cursor(const PlotScale& scale, double generation, const std::string& w
 
 void TimelinePanel::draw(const FrameContext& frame, Requests& out) {
     draw_heading(frame, out);
-    draw_export_popup("export", frame, out);
+    action_popup("export", "export-*", frame, out);
     draw_stagnation(frame, out);
     chart_.gather(frame.experiment.snapshot, frame.view.quantity);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -275,10 +274,10 @@ void TimelinePanel::follow_keys(const FrameContext& frame, Requests& out) const 
     const int turn = pressed(ImGuiKey_DownArrow) ? 1 : pressed(ImGuiKey_UpArrow) ? -1 : 0;
     if (turn == 0) return;
     const int count = static_cast<int>(timeline_plots().size());
-    ViewState view = frame.view;
-    view.quantity =
-        static_cast<TimelineQuantity>((static_cast<int>(view.quantity) + turn + count) % count);
-    out.ask(ChangeView{view});
+    change_view(frame, out, [&](ViewState& view) {
+        view.quantity =
+            static_cast<TimelineQuantity>((static_cast<int>(view.quantity) + turn + count) % count);
+    });
 }
 
 }  // namespace cambrian

@@ -2,6 +2,7 @@
 
 #include "core/text/pretty_text.h"
 #include "pictures/scene/scene_builder.h"
+#include "studio/frame/change_view.h"
 #include "studio/panels/inspector/gene_table.h"
 #include "studio/widgets/widgets.h"
 
@@ -76,9 +77,7 @@ bool lights(const Highlight& highlight, std::size_t gene, const std::vector<Body
 // Keeps the creature on display while its genes are edited.
 void stop_following(const FrameContext& frame, Requests& out) {
     if (!frame.view.newest_champion) return;
-    ViewState view = frame.view;
-    view.newest_champion = false;
-    out.ask(ChangeView{view});
+    change_view(frame, out, [](ViewState& view) { view.newest_champion = false; });
 }
 
 }  // namespace

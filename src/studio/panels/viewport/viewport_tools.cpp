@@ -1,46 +1,17 @@
 #include "studio/panels/viewport/viewport_tools.h"
 
+#include "studio/actions/action_menu.h"
+#include "studio/frame/change_view.h"
 #include "studio/frame/help_mark.h"
 #include "studio/look/overlays.h"
 #include "studio/widgets/widgets.h"
 
-#include <array>
-
 namespace cambrian {
 namespace {
 
-struct GhostLine {
-    const char* label;
-    const char* help;
-};
-constexpr std::array kGhostLines = {
-    GhostLine{"No ghosts", "The creature on display is alone."},
-    GhostLine{"Last three improvements",
-              "The last three champions that were fitter than all before them."},
-    GhostLine{"Every tenth generation", "The champions of the last six generations 0, 10, 20..."},
-    GhostLine{"Five across the run", "From the first champion to the newest, evenly spaced."},
-};
-
-struct LookLine {
-    const char* label;
-    const char* help;
-};
-constexpr std::array kLookLines = {
-    LookLine{"Life", "Creatures in their skin, with the pattern of their founder's line. (L)"},
-    LookLine{"Glass", "Their boxes and joints through a pale skin. (L)"},
-    LookLine{"Mechanics", "The boxes and joints that physics moves. (L)"},
-};
-
-bool line(const char* label, bool chosen, const char* help) {
-    const bool pressed = ImGui::MenuItem(label, nullptr, chosen);
-    note_place(label);
-    tooltip(help);
-    return pressed;
-}
-
 // Draws one switch for each overlay. The menu stays open while several are switched.
 void overlay_lines(const FrameContext& frame, Requests& out) {
-    look_lines(frame, out);
+    action_items("look-*", frame, out);
     ImGui::Separator();
     for (const OverlayKind& overlay : overlay_kinds()) {
         bool shown = frame.view.overlays.*overlay.shown;
@@ -50,11 +21,13 @@ void overlay_lines(const FrameContext& frame, Requests& out) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(overlay.label);
         tooltip(overlay.help);
-        if (!switched) continue;
-        ViewState view = frame.view;
-        view.overlays.*overlay.shown = shown;
-        out.ask(ChangeView{view});
+        if (switched)
+            change_view(frame, out, [&](ViewState& view) { view.overlays.*overlay.shown = shown; });
     }
+}
+
+void ghost_lines(const FrameContext& frame, Requests& out) {
+    action_items("ghosts-*", frame, out);
 }
 
 using Lines = void (*)(const FrameContext& frame, Requests& out);
@@ -81,26 +54,6 @@ void menu_button(const char* name, Icon icon, const char* help, bool lit, Lines 
 }
 
 }  // namespace
-
-void ghost_lines(const FrameContext& frame, Requests& out) {
-    for (std::size_t i = 0; i < kGhostLines.size(); ++i) {
-        const auto choice = static_cast<GhostChoice>(i);
-        if (!line(kGhostLines[i].label, frame.view.ghosts == choice, kGhostLines[i].help)) continue;
-        ViewState view = frame.view;
-        view.ghosts = choice;
-        out.ask(ChangeView{view});
-    }
-}
-
-void look_lines(const FrameContext& frame, Requests& out) {
-    for (std::size_t i = 0; i < kLookLines.size(); ++i) {
-        const auto look = static_cast<LookMode>(i);
-        if (!line(kLookLines[i].label, frame.view.look == look, kLookLines[i].help)) continue;
-        ViewState view = frame.view;
-        view.look = look;
-        out.ask(ChangeView{view});
-    }
-}
 
 void draw_shown_actions(const FrameContext& frame, const ImVec2& at, Requests& out) {
     const ExperimentSettings& its = frame.viewer.playback.exhibit().settings();

@@ -13,9 +13,4 @@ void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& 
 // preserve, save it.
 void draw_shown_actions(const FrameContext& frame, const ImVec2& at, Requests& out);
 
-// Draws the choices of ghosts as menu lines, in the order of GhostChoice.
-// Draws a line for each mode in which creatures are seen.
-void look_lines(const FrameContext& frame, Requests& out);
-void ghost_lines(const FrameContext& frame, Requests& out);
-
 }  // namespace cambrian

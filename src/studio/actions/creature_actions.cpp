@@ -1,0 +1,49 @@
+// The creature on display and its playback.
+
+#include "studio/actions/subjects.h"
+
+namespace cambrian {
+namespace {
+
+template <int Steps>
+void change_speed(const FrameContext& frame, Requests& out) {
+    const auto count = static_cast<int>(kPlaybackSpeeds.size());
+    int next = Steps > 0 ? count - 1 : 0;
+    for (int i = 0; i < count; ++i) {
+        const int at = Steps > 0 ? count - 1 - i : i;
+        const double speed = kPlaybackSpeeds[static_cast<std::size_t>(at)];
+        if (Steps > 0 ? speed > frame.view.speed : speed < frame.view.speed) next = at;
+    }
+    change_view(frame, out, [next](ViewState& view) {
+        view.speed = kPlaybackSpeeds[static_cast<std::size_t>(next)];
+    });
+}
+
+bool is_shown(const FrameContext& frame) {
+    return !frame.viewer.playback.empty();
+}
+
+}  // namespace
+
+std::vector<Action> creature_actions() {
+    using enum FileTask;
+    // clang-format off
+    return {
+        {"play", "P", "Play or pause the creature on display", asks<TogglePlayback{}>, {}, {}, "", true},
+        {"restart", "R", "Restart the creature on display", asks<RestartPlayback{}>, {}, {}, "", true},
+        {"tick", ".", "Play one tick", asks<StepPlayback{}>, {}, {}, "", true},
+        {"tick-back", ",", "Go back one tick", asks<StepPlaybackBack{}>, {}, {}, "", true},
+        {"slower", "[", "Play slower", change_speed<-1>, {}, {}, "", true},
+        {"faster", "]", "Play faster", change_speed<1>, {}, {}, "", true},
+        {"follow", "F", "Follow the creature", toggles<&ViewState::follow>, {}, is_on<&ViewState::follow>, "The camera goes with it, or stays.", true},
+        {"fit", "Home", "Fit into view", asks<FitView{}>, {}, {}, "The creature on display fills the viewport.", true},
+        {"newest", "N", "Show the newest champion", asks<ShowNewest{}>},
+        {"newest-always", "", "Show each new champion", toggles<&ViewState::newest_champion>, {}, is_on<&ViewState::newest_champion>, "The best of each finished generation is displayed."},
+        {"star", "K", "Star the creature on display", asks<ToggleStarOfShown{}>, is_shown, {}, "Or take its star away."},
+        {"save-creature", "Ctrl+S", "Save creature…", asks<OpenFilePanel{kSaveCreature}>, is_shown, {}, "The one on display, in a file of its own or as a card."},
+        {"evolve-shown", "", "New run from the creature on display", asks<StartFromShown{}>, is_shown},
+    };
+    // clang-format on
+}
+
+}  // namespace cambrian

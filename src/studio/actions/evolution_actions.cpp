@@ -1,0 +1,50 @@
+// Evolution, its settings and generations, comparisons and machines.
+
+#include "studio/actions/subjects.h"
+
+namespace cambrian {
+namespace {
+
+template <Place Where>
+void focus_place(const FrameContext& frame, Requests& out) {
+    if (!frame.view.panels.bottom) toggles<&ViewState::panels, &PanelSizes::bottom>(frame, out);
+    out.ask(FocusPlace{Where});
+}
+
+bool picks_by_hand(const FrameContext& frame) {
+    return frame.picking != nullptr;
+}
+// Behind a world the edits are hidden.
+bool undoes(const FrameContext& frame) {
+    return !frame.world_shown() && frame.can_undo();
+}
+bool redoes(const FrameContext& frame) {
+    return !frame.world_shown() && frame.can_redo();
+}
+bool has_creatures(const FrameContext& frame) {
+    return !frame.experiment.snapshot.population.empty();
+}
+
+}  // namespace
+
+std::vector<Action> evolution_actions() {
+    // clang-format off
+    return {
+        {"evolve", "Space", "Evolve or pause", asks<ToggleEvolution{}>},
+        {"evolve-once", "G", "Evolve one generation", asks<RunOneGeneration{}>},
+        {"pick-by-hand", "H", "Pick by hand", asks<ToggleHandPicking{}>, {}, picks_by_hand, "Or return to automatic evolution."},
+        {"timeline", "T", "Go to the timeline", focus_place<Place::kTimeline>, {}, {}, "Left and Right step through champions, Up and Down change the plot."},
+        {"population", "C", "Go to the population", focus_place<Place::kPopulation>, {}, {}, "The arrow keys move through its creatures."},
+        {"undo", "Ctrl+Z", "Undo", asks<UndoEdit{}>, undoes, {}, "An edit of genes or settings, or a new run."},
+        {"redo", "Ctrl+Shift+Z", "Redo", asks<RedoEdit{}>, redoes},
+        {"find-setting", "Ctrl+F or /", "Find a setting", asks<FindSetting{}>},
+        {"new-run-random", "", "New run", asks<StartNewRun{}>, {}, {}, "From random creatures, with another seed."},
+        {"new-run-same-seed", "", "New run with the same seed", asks<StartNewRun{false, true}>},
+        {"new-run-these", "", "New run from these creatures", asks<StartNewRun{true}>, has_creatures},
+        {"compare", "Ctrl+D", "Compare settings…", asks<ToggleComparison{}>},
+        {"machines", "Ctrl+M", "Work on several machines…", asks<ToggleMachines{}>},
+    };
+    // clang-format on
+}
+
+}  // namespace cambrian

@@ -1,0 +1,41 @@
+#include "studio/actions/subjects.h"
+
+namespace cambrian {
+namespace {
+
+bool has_generations(const FrameContext& frame) {
+    return !frame.experiment.snapshot.history.empty();
+}
+bool has_run_before(const FrameContext& frame) {
+    return frame.experiment.previous_run;
+}
+bool has_preserve(const FrameContext& frame) {
+    return frame.preserve != nullptr;
+}
+void take_screenshot(const FrameContext&, Requests& out) {
+    out.ask(SaveScreenshot{});
+}
+
+}  // namespace
+
+std::vector<Action> file_actions() {
+    using enum FileTask;
+    // clang-format off
+    return {
+        {"open", "Ctrl+O", "Open…", asks<OpenFilePanel{kOpen}>, {}, {}, "A creature, an experiment, a preserve or settings."},
+        {"samples", "Ctrl+Shift+O", "Samples…", asks<ToggleSamples{}>, {}, {}, "Creatures that were evolved before."},
+        {"previous-run", "", "Open the run before", asks<OpenPreviousRun{}>, has_run_before},
+        {"new-preserve", "Ctrl+N", "New preserve…", asks<TogglePreserveCard{}>, {}, {}, "A closed world in which creatures feed, breed and die."},
+        {"close-preserve", "Ctrl+W", "Close preserve", asks<ClosePreserve{}>, has_preserve},
+        {"save-experiment", "Ctrl+K", "Save experiment…", asks<OpenFilePanel{kSaveExperiment}>},
+        {"save-settings", "Ctrl+Shift+S", "Save settings…", asks<OpenFilePanel{kSaveSettings}>},
+        {"export-statistics", "Ctrl+E", "Export statistics as CSV…", asks<OpenFilePanel{kSaveStatistics}>, has_generations},
+        {"export-plot", "Ctrl+Shift+E", "Export plot as PNG, 1280 × 720…", asks<OpenFilePanel{kSavePlot}>, has_generations},
+        {"export-plot-large", "", "Export plot as PNG, 1920 × 1080…", asks<OpenFilePanel{kSavePlot, {1920, 1080}}>, has_generations},
+        {"screenshot", "F12", "Save picture of the window", take_screenshot, {}, {}, "", true},
+        {"quit", "Ctrl+Q", "Quit", asks<QuitStudio{}>, {}, {}, "", true},
+    };
+    // clang-format on
+}
+
+}  // namespace cambrian

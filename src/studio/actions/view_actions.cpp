@@ -1,0 +1,142 @@
+// What the window shows and how.
+
+#include "studio/actions/subjects.h"
+#include "studio/look/overlays.h"
+
+#include <array>
+
+namespace cambrian {
+namespace {
+
+struct ViewLine {
+    const char* id;
+    const char* label;
+    const char* help;
+};
+// In the order of LookMode and of GhostChoice.
+constexpr std::array kLookLines = {
+    ViewLine{"look-life", "Life", "Creatures in their skin, with the pattern of their founder."},
+    ViewLine{"look-glass", "Glass", "Their boxes and joints through a pale skin."},
+    ViewLine{"look-mechanics", "Mechanics", "The boxes and joints that physics moves."},
+};
+constexpr std::array kGhostLines = {
+    ViewLine{"ghosts-none", "No ghosts", "The creature on display is alone."},
+    ViewLine{"ghosts-improvements", "Last three improvements",
+             "The last three champions that were fitter than all before them."},
+    ViewLine{"ghosts-tenths", "Every tenth generation",
+             "The champions of the last six generations 0, 10, 20..."},
+    ViewLine{"ghosts-across", "Five across the run",
+             "From the first champion to the newest, evenly spaced."},
+};
+
+// Adds an action for each value of a member of the view.
+template <auto Member, std::size_t Count>
+void add_choices(std::vector<Action>& actions, const std::array<ViewLine, Count>& lines) {
+    for (std::size_t i = 0; i < Count; ++i) {
+        using Value = std::remove_reference_t<decltype(std::declval<ViewState&>().*Member)>;
+        const auto value = static_cast<Value>(i);
+        Action action{lines[i].id, "", lines[i].label, [value](const auto& frame, Requests& out) {
+                          change_view(frame, out,
+                                      [value](ViewState& view) { view.*Member = value; });
+                      }};
+        action.chosen = [value](const FrameContext& frame) { return frame.view.*Member == value; };
+        action.help = lines[i].help;
+        actions.push_back(std::move(action));
+    }
+}
+
+void add_overlays(std::vector<Action>& actions) {
+    for (const OverlayKind& overlay : overlay_kinds()) {
+        const auto shown = overlay.shown;
+        Action action{std::string("overlay-") + overlay.name, "", overlay.label,
+                      [shown](const FrameContext& frame, Requests& out) {
+                          change_view(frame, out, [shown](ViewState& view) {
+                              view.overlays.*shown = !(view.overlays.*shown);
+                          });
+                      }};
+        action.chosen = [shown](const FrameContext& frame) { return frame.view.overlays.*shown; };
+        action.help = overlay.help;
+        actions.push_back(std::move(action));
+    }
+}
+
+void switch_theme(const FrameContext& frame, Requests& out) {
+    change_view(frame, out, [](ViewState& view) {
+        view.theme = view.theme == ThemeKind::kLight ? ThemeKind::kDark : ThemeKind::kLight;
+    });
+}
+bool is_light(const FrameContext& frame) {
+    return frame.view.theme == ThemeKind::kLight;
+}
+
+void switch_look(const FrameContext& frame, Requests& out) {
+    change_view(frame, out, [](ViewState& view) { view.look = next_look(view.look); });
+}
+
+void close_what_is_open(const FrameContext& frame, Requests& out) {
+    if (close_card(frame, out)) return;
+    if (frame.window.notice != nullptr) return out.ask(DismissNotice{});
+    if (frame.preserve != nullptr) {
+        if (frame.preserve->single) return out.ask(ShowWorld{});
+        if (frame.preserve->wall.on) return out.ask(ToggleWalls{});
+        out.ask(PickResident{0});
+    } else if (frame.picking != nullptr && frame.picking->single) {
+        out.ask(ShowGrid{});
+    }
+}
+
+}  // namespace
+
+bool close_card(const FrameContext& frame, Requests& out) {
+    if (frame.tour_shown()) {
+        out.ask(TurnTour{-1});
+    } else if (frame.samples_shown()) {
+        out.ask(ToggleSamples{});
+    } else if (frame.preserve_card.open) {
+        out.ask(TogglePreserveCard{});
+    } else if (frame.files.browser.open) {
+        out.ask(CloseFilePanel{});
+    } else if (frame.machines != nullptr && frame.machines->card_open) {
+        out.ask(ToggleMachines{});
+    } else if (frame.comparison != nullptr && frame.comparison->card_open) {
+        out.ask(ToggleComparison{});
+    } else if (frame.guide.help_shown) {
+        out.ask(ToggleHelp{});
+    } else {
+        return false;
+    }
+    return true;
+}
+
+std::vector<Action> view_actions() {
+    using enum ThemeKind;
+    constexpr auto panels = &ViewState::panels;
+    // clang-format off
+    std::vector<Action> actions = {
+        {"panel-left", "", "Experiment", toggles<panels, &PanelSizes::left>, {}, is_on<panels, &PanelSizes::left>, "Show or hide the panel on the left."},
+        {"panel-right", "", "Inspector", toggles<panels, &PanelSizes::right>, {}, is_on<panels, &PanelSizes::right>, "Show or hide the panel on the right."},
+        {"panel-bottom", "", "Timeline and population", toggles<panels, &PanelSizes::bottom>, {}, is_on<panels, &PanelSizes::bottom>, "Show or hide the panels at the bottom."},
+        {"theme", "Ctrl+L", "Light theme", switch_theme, {}, is_light, "Or the dark one.", true},
+        {"look", "L", "Switch the look", switch_look, {}, {}, "See creatures alive, through their skin, or as boxes.", true},
+        {"close", "Esc", "Close the open menu or card", close_what_is_open, {}, {}, "", true},
+    };
+    // clang-format on
+    add_choices<&ViewState::look>(actions, kLookLines);
+    add_choices<&ViewState::ghosts>(actions, kGhostLines);
+    add_overlays(actions);
+    return actions;
+}
+
+std::vector<Action> help_actions() {
+    const auto shows = [](const char* page) {
+        return [page](const FrameContext&, Requests& out) { out.ask(ShowHelp{page}); };
+    };
+    return {
+        {"help", "F1", "Help", asks<ToggleHelp{}>},
+        {"keys", "", "Keys", shows(kKeysPage)},
+        {"tour", "", "Tour of the window", asks<TurnTour{0}>},
+        {"about", "", "About Cambrian", shows(kAboutPage)},
+    };
+}
+
+}  // namespace cambrian

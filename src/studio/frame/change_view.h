@@ -1,0 +1,17 @@
+#pragma once
+
+#include "studio/frame/frame_context.h"
+
+#include <utility>
+
+namespace cambrian {
+
+// Asks for the present view after `change(ViewState&)`.
+template <class Change>
+void change_view(const FrameContext& frame, Requests& out, const Change& change) {
+    ViewState view = frame.view;
+    change(view);
+    out.ask(ChangeView{std::move(view)});
+}
+
+}  // namespace cambrian
