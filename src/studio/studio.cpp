@@ -144,7 +144,7 @@ private:
         for (const std::filesystem::path& path : window_.take_dropped_files())
             controller_.files().carry_out(LoadFile{path});
         if (options_.viewer)
-            window_.set_title(context.viewer.playback.exhibit().title + " – Cambrian");
+            window_.set_title(context.viewer.playback.exhibit().name() + " – Cambrian");
         main_window_.draw(context, requests);
         const std::string complaint = host_.take_complaint();
         if (!complaint.empty()) controller_.feedback().tell(NoticeKind::kProblem, complaint);

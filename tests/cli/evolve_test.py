@@ -77,6 +77,8 @@ class Evolve(ProgramTest):
         words = self.run_well("evolve", "grown.toml", "-n", 12, "-o", "a.json").stdout
         [told] = [line for line in words.splitlines() if line.startswith("champion: ")]
         self.assertIn(champion["mutations"][0]["place"] + ": ", told)
+        self.assertRegex(champion["name"], "^[A-Z][a-z]{5,}$")
+        self.assertIn(champion["name"] + " in a.json (born in generation", told)
 
     def test_the_champion_goes_where_it_is_asked_to(self):
         self.write("small.toml", SMALL)

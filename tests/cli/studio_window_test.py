@@ -59,6 +59,7 @@ class StudioWindow(StudioTest):
         self.start(display, "small.toml")
         self.press("g")
         shown, _ = self.wait_for("shown", title="Champion of generation 0")
+        self.assertRegex(shown["name"], "^[A-Z][a-z]{5,}$")
         self.click("Genotype")
         self.type_into("part 0 length", "1.25")
         edited, after = self.wait_for("gene edited", place="part 0 length", to="1.25 m")

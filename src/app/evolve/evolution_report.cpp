@@ -1,6 +1,7 @@
 #include "app/evolve/evolution_report.h"
 
 #include "core/text/number_text.h"
+#include "genome/creature_name.h"
 #include "persist/json/json_text.h"
 #include "persist/text/digest_text.h"
 #include "persist/text/quoted_text.h"
@@ -176,6 +177,7 @@ std::string final_line(const Evolution& evolution, const ReportedRun& run,
         return json_object(
             {{"champion", json_of_path(files.champion)},
              {"experiment", json_of_path(files.experiment)},
+             {"name", quoted_text(creature_name(*champion.genome))},
              {"uid", quoted_text(hex_text(champion.uid))},
              {"born", std::to_string(champion.born)},
              {"method", quoted_text(champion.method)},
@@ -193,10 +195,10 @@ std::string final_line(const Evolution& evolution, const ReportedRun& run,
              {"interrupted", json_truth(interrupted)}});
     }
     std::string text =
-        fmt::format("{} of generation {}: {} {}, of generation {}: {} {}\nchampion: ",
+        fmt::format("{} of generation {}: {} {}, of generation {}: {} {}\nchampion: {} ",
                     interrupted ? "interrupted; best" : "best", first.generation, fixed(first.best),
-                    unit, last.generation, fixed(last.best), unit);
-    if (!files.champion.empty()) text += files.champion.string() + " ";
+                    unit, last.generation, fixed(last.best), unit, creature_name(*champion.genome));
+    if (!files.champion.empty()) text += fmt::format("in {} ", files.champion.string());
     text += fmt::format("({})", origin_in_words(champion));
     if (!champion.result.scores.empty())
         text += "\nconfirmed: " + confirmed_in_words(champion.result, unit);

@@ -6,6 +6,7 @@
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
 #include "core/files/file_io.h"
+#include "genome/creature_name.h"
 #include "persist/creature/creature_file.h"
 #include "persist/experiment/experiment_parts.h"
 #include "persist/preserve/preserve_file.h"
@@ -13,6 +14,7 @@
 #include "persist/settings/settings_file.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -105,6 +107,10 @@ private:
         work.begin("computing more finely", champion.settings->world.trial.duration);
         complete_score(document, kinds, work.stop());
         if (work.interrupted()) return Error{"interrupted; nothing was written"};
+        if (!out_.empty())
+            say(fmt::format("{}, born in generation {}",
+                            creature_name(*champion.individual->genome),
+                            champion.individual->born));
         return write_creature(document, kinds);
     }
 

@@ -150,6 +150,7 @@ void ExperimentController::show_random_creature() {
     auto genome = std::make_shared<const Genome>(
         random_genome(settings->founders, services_.kinds.creature.catalog, stream));
     viewer_.show({.creature = unjudged(std::move(genome), settings, "random"),
+                  .source = ExhibitSource::kPopulation,
                   .title = "A random creature"});
 }
 

@@ -83,7 +83,7 @@ struct FilesController::Handler {
         const Exhibit& exhibit = self.subjects_.viewer.playback().exhibit();
         CardOrder order{.path = request.path,
                         .document = std::move(document),
-                        .title = exhibit.title,
+                        .title = exhibit.name(),
                         .settings = exhibit.settings()};
         if (exhibit.experiment != 0) order.generation = exhibit.creature.generation;
         self.file_service_.prepare_card(std::move(order));
@@ -290,7 +290,7 @@ std::string FilesController::suggested_name(FileTask task) const {
         case FileTask::kOpen:
             return {};
         case FileTask::kSaveCreature:
-            return file_stem(subjects_.viewer.playback().exhibit().title).append(kCreatureEnding);
+            return file_stem(subjects_.viewer.playback().exhibit().name()).append(kCreatureEnding);
         case FileTask::kSaveExperiment:
             return experiment.files().chosen().empty()
                        ? file_stem(experiment.editor().draft().goal) + ".cambrian"

@@ -29,7 +29,7 @@ enum class ExhibitSource : std::uint8_t {
 struct Exhibit {
     JudgedIndividual creature;
     ExhibitSource source = ExhibitSource::kSample;
-    std::string title;                           // "Champion of generation 12"
+    std::string title;                           // "Champion of generation 12", or its file's name
     std::uint64_t experiment = 0;                // id of the experiment that bred it; 0 if none did
     std::optional<std::uint64_t> ancestry = {};  // ancestry_digest(), if its ancestors are known
     TickChecks ticks = {};  // check bytes of the motion, one per tick, if they were recorded
@@ -37,6 +37,8 @@ struct Exhibit {
     const Individual& individual() const { return *creature.individual; }
     const ExperimentSettings& settings() const { return *creature.settings; }
     const GenomePtr& genome() const { return creature.individual->genome; }
+    // What it is called: the name of its genome, of its file, or else its coined_name().
+    std::string name() const;
     // The result of its evaluation; null if it was never evaluated.
     const EvaluationResult* result() const {
         return individual().evaluated ? &individual().result : nullptr;

@@ -385,7 +385,7 @@ bool PreserveController::show_alone(WorldSubject subject) {
         const SettingsPtr settings = trial_settings(picture_->laws, services_.kinds);
         subjects_.viewer.show({.creature = unjudged(genome, settings, method),
                                .source = ExhibitSource::kPreserve,
-                               .title = fmt::format("Creature {}", number)});
+                               .title = fmt::format("Creature {} of the preserve", number)});
         return true;
     };
     if (subject == WorldSubject::kPiece) {

@@ -1,6 +1,7 @@
 #include "studio/viewer/origin_words.h"
 
 #include "core/text/pretty_text.h"
+#include "genome/creature_name.h"
 #include "studio/playback/exhibit.h"
 #include "studio/viewer/mutation_words.h"
 
@@ -19,7 +20,8 @@ std::string parent_words(std::uint64_t parent, std::span<const IndividualPtr> po
         std::find_if(population.begin(), population.end(),
                      [parent](const IndividualPtr& each) { return each->uid == parent; });
     if (living == population.end()) return uid_text(parent).substr(0, kShortUid);
-    return fmt::format("rank {}", living - population.begin() + 1);
+    return fmt::format("{}, rank {}", creature_name(*(*living)->genome),
+                       living - population.begin() + 1);
 }
 
 }  // namespace

@@ -100,6 +100,7 @@ ViewerView ViewerController::facts() const {
 }
 
 void ViewerController::show(Exhibit exhibit) {
+    const std::string name = exhibit.name();
     const std::string title = exhibit.title;
     const std::string uid = uid_text(exhibit.individual().uid);
     if (Status status = viewer_.show(std::move(exhibit)); !status)
@@ -107,7 +108,7 @@ void ViewerController::show(Exhibit exhibit) {
     genes_.clear();
     clear_highlight();
     shown_since_ = services_.feedback.now();
-    services_.feedback.log().write("shown", {{"title", title}, {"uid", uid}});
+    services_.feedback.log().write("shown", {{"name", name}, {"title", title}, {"uid", uid}});
 }
 
 void ViewerController::use_environment(const Environment& environment) {

@@ -2,6 +2,7 @@
 
 #include "core/text/pretty_text.h"
 #include "core/text/shown_score.h"
+#include "genome/creature_name.h"
 #include "studio/frame/change_view.h"
 #include "studio/frame/help_mark.h"
 #include "studio/viewer/origin_words.h"
@@ -51,8 +52,9 @@ std::string tile_score(const EvaluationResult& result) {
 std::string tile_words(const Tile& tile, const FrameContext& frame) {
     const Individual& individual = *tile.creature.individual;
     const EvaluationResult& result = individual.result;
-    std::string text = tile.rank > 0 ? fmt::format("Rank {}\n", tile.rank)
-                                     : fmt::format("Of generation {}\n", tile.creature.generation);
+    std::string text = creature_name(*individual.genome);
+    text += tile.rank > 0 ? fmt::format(", rank {}\n", tile.rank)
+                          : fmt::format(" of generation {}\n", tile.creature.generation);
     if (judged(result)) {
         const std::string unit = goal_unit(tile.creature.settings->goal, frame.kinds.goals);
         text += "Fitness " + shown_score(result.fitness, unit);

@@ -2,6 +2,7 @@
 
 #include "core/text/counted.h"
 #include "core/text/pretty_text.h"
+#include "genome/creature_name.h"
 #include "studio/viewer/mutation_words.h"
 #include "studio/viewer/origin_words.h"
 #include "studio/widgets/creature_tile.h"
@@ -48,10 +49,11 @@ std::string fitness_words(const Individual& individual, const FrameContext& fram
 }
 
 std::string born_words(const Individual& individual, const Exhibit& head) {
-    if (individual.method == "edited") return "Edited by hand";
+    const std::string name = creature_name(*individual.genome);
+    if (individual.method == "edited") return name + ", edited by hand";
     // It was not bred in any experiment known here.
     if (head.experiment == 0) return "The original";
-    return fmt::format("Generation {}", individual.born);
+    return fmt::format("{}, generation {}", name, individual.born);
 }
 
 std::string length_words(std::size_t steps) {

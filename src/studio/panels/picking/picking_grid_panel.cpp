@@ -2,6 +2,7 @@
 
 #include "core/text/pretty_text.h"
 #include "core/text/shown_score.h"
+#include "genome/creature_name.h"
 #include "pictures/scene/follow_camera.h"
 #include "pictures/scene/living_look.h"
 #include "pictures/scene/moment.h"
@@ -245,7 +246,8 @@ void PickingGridPanel::draw_words(std::size_t cell, const FrameContext& frame) {
         list.AddRectFilled(area.low(), area.high(), paint(with_alpha(colors().sky, 0.55F)));
     const bool parent = cell == 0 && grid_of(frame).origin == GridOrigin::kBreeding;
     words(area.x + px(9), area.y + px(7), colors().muted,
-          fmt::format("{}{}", cell + 1, parent ? " · parent" : ""));
+          fmt::format("{} · {}{}", cell + 1, creature_name(*grid_of(frame).creatures[cell]->genome),
+                      parent ? " · parent" : ""));
     const float foot = area.y + area.height - px(18);
     if (picking.options.scores)
         words(area.x + px(9), foot, colors().text,

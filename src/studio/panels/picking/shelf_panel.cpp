@@ -1,5 +1,6 @@
 #include "studio/panels/picking/shelf_panel.h"
 
+#include "genome/creature_name.h"
 #include "studio/frame/help_mark.h"
 #include "studio/hand_picking/drag_payload.h"
 #include "studio/widgets/creature_tile.h"
@@ -66,9 +67,9 @@ void ShelfPanel::draw_tile(std::size_t place, const FrameContext& frame, Request
         draw_creature_tile(list, body, *phenotype, pinned.individual->genome->hue,
                            pinned.individual->line);
     tooltip(
-        fmt::format("Drag it into a cell of any grid, or click: it takes cell {}, the one in "
+        fmt::format("{}. Drag it into a cell of any grid, or click: it takes cell {}, the one in "
                     "focus. Right-click to take it off the shelf.",
-                    frame.picking->focus + 1));
+                    creature_name(*pinned.individual->genome), frame.picking->focus + 1));
 }
 
 }  // namespace cambrian

@@ -1,5 +1,6 @@
 #include "studio/panels/preserve/museum_list.h"
 
+#include "genome/creature_name.h"
 #include "pictures/preserve/world_scene.h"
 #include "preserve/world_time.h"
 #include "studio/preserve/world_words.h"
@@ -99,8 +100,9 @@ bool MuseumList::draw_piece(const FrameContext& frame, std::size_t index) {
                            piece.reason == museum_reason::kLineage ? piece.number : 0);
     const float left = low.x + px(kTileWidth + 14);
     const float room = size.x - px(kTileWidth + 20);
-    list.AddText({left, low.y + px(4)}, paint(colors().text),
-                 fit_text(fmt::format("Creature {}", piece.number), room).c_str());
+    list.AddText(
+        {left, low.y + px(4)}, paint(colors().text),
+        fit_text(fmt::format("{}  {}", creature_name(*piece.genome), piece.number), room).c_str());
     const WithFont font(ui().fonts.small);
     list.AddText({left, low.y + px(23)}, paint(colors().text),
                  fit_text(capitalized(reason_words(piece)), room).c_str());

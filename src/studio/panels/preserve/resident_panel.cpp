@@ -1,6 +1,7 @@
 #include "studio/panels/preserve/resident_panel.h"
 
 #include "core/text/pretty_text.h"
+#include "genome/creature_name.h"
 #include "pictures/preserve/world_scene.h"
 #include "preserve/life/diet.h"
 #include "preserve/world_time.h"
@@ -145,7 +146,7 @@ void draw_notables(const PreservePicture& picture, Requests& out) {
         fact(notable.label,
              is_time ? pretty_time(notable.number) : with_unit(notable.number, notable.unit));
         ImGui::PushID(notable.label);
-        if (push_button(fmt::format("Creature {}", notable.creature),
+        if (push_button(fmt::format("{}  {}", notable.name, notable.creature),
                         {.width = ImGui::GetContentRegionAvail().x,
                          .height = px(26),
                          .tooltip = "Pick it (O goes through them)"}))
@@ -218,7 +219,8 @@ void ResidentPanel::draw(const FrameContext& frame, Requests& out) {
     const PreserveView& preserve = *frame.preserve;
     place_title(preserve.picked == nullptr
                     ? "Creature"
-                    : fmt::format("Creature {}", preserve.picked->life.number),
+                    : fmt::format("{}  {}", creature_name(*preserve.picked->life.genome),
+                                  preserve.picked->life.number),
                 "preserve", out);
     ImGui::BeginChild("life", {0, 0}, false, ImGuiWindowFlags_NoBackground);
     if (preserve.picked == nullptr) {

@@ -1,5 +1,6 @@
 #include "studio/panels/preserve/world_panel.h"
 
+#include "genome/creature_name.h"
 #include "pictures/preserve/world_scene.h"
 #include "preserve/world_time.h"
 #include "studio/frame/help_mark.h"
@@ -228,9 +229,10 @@ void WorldPanel::draw_labels(const FrameContext& frame) {
             image_near(preserve.picture.area, resident.center.head<2>(), canvas_.camera.center));
         const auto reach =
             static_cast<float>(reach_of(resident) * canvas_.camera.pixels_per_metre) + px(16);
-        const std::string number = fmt::format("{}", resident.life.number);
-        const float width = ImGui::CalcTextSize(number.c_str()).x;
-        outlined_text(list, {center.x - 0.5F * width, center.y + reach}, color, number);
+        const std::string name =
+            fmt::format("{} {}", creature_name(*resident.life.genome), resident.life.number);
+        const float width = ImGui::CalcTextSize(name.c_str()).x;
+        outlined_text(list, {center.x - 0.5F * width, center.y + reach}, color, name);
     };
     for (const std::uint64_t pin : preserve.pins.creatures) {
         const ResidentPicture* pinned = preserve.picture.find(pin);

@@ -1,6 +1,5 @@
 #include "studio/panels/viewport/viewport_panel.h"
 
-#include "core/text/code_points.h"
 #include "core/text/pretty_text.h"
 #include "core/text/shown_score.h"
 #include "pictures/scene/bout_scene.h"
@@ -446,12 +445,14 @@ void ViewportPanel::draw_words(const FrameContext& frame) {
     const DrawnWorld* world = world_around(frame);
     const Palette& palette = world != nullptr ? palette_over(*world) : colors();
     ImVec2 at = {canvas_.area.x + px(16), canvas_.area.y + px(12)};
-    const std::string& name = exhibit.genome()->name;
-    const std::string title = on_one_line(
-        name.empty() || exhibit.source == ExhibitSource::kChampion ? exhibit.title : name);
-    shadowed_text(list, fonts.title, px(20), at, palette.text, title);
-    at.y += px(27);
     const Color second = world != nullptr ? with_alpha(palette.text, 0.85F) : palette.muted;
+    const std::string name = exhibit.name();
+    shadowed_text(list, fonts.title, px(20), at, palette.text, name);
+    const float named = fonts.title->CalcTextSizeA(px(20), 1e6F, 0.0F, name.c_str()).x;
+    if (exhibit.title != name)
+        shadowed_text(list, fonts.body, px(15), {at.x + named + px(10), at.y + px(4)}, second,
+                      exhibit.title);
+    at.y += px(27);
     shadowed_text(list, fonts.body, px(15), at, second, second_line(frame));
     at.y += px(22) + (has_actions(frame) ? px(kActionsHeight) : 0.0F);
     if (frame.viewer.playback.creature().replay().diverged()) {
