@@ -1,6 +1,6 @@
 #pragma once
 
-// Registers the sensor kinds, one file each.
+// Registers the sensor kinds, in the order of builtin_sensors().
 
 #include "sensors/sensor.h"
 

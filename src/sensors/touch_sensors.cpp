@@ -1,7 +1,8 @@
-// Contact of each face of a part with the ground or another part: +1 for contact, -1 for none (Sims
-// 1994).
+// What touches a part.
 
+#include "sensors/frames.h"
 #include "sensors/kinds.h"
+#include "world/environment.h"
 
 namespace cambrian {
 namespace {
@@ -38,8 +39,14 @@ Vec3 contact_spot(std::size_t channel, int handedness) {
     return {0.0, -kShare, 0.0};
 }
 
+double read_load(const SensorSite& site, double& /*memory*/) {
+    return limited_reading(site.body.part_load(site.index) / (site.body.mass() * kEarthGravity));
+}
+
 }  // namespace
 
+// Contact of each face of a part with the ground or another part: +1 for contact, -1 for none (Sims
+// 1994).
 void add_contact_sensor(SensorRegistry& sensors) {
     sensors.add({.id = "contact",
                  .label = "Contact",
@@ -50,6 +57,18 @@ void add_contact_sensor(SensorRegistry& sensors) {
                               {"contact-right", "Contact, right"}},
                  .read = read_contact,
                  .spot = contact_spot});
+}
+
+// Load: the sum of the normal forces on the part, in units of the creature's weight on Earth.
+void add_load_sensor(SensorRegistry& sensors) {
+    sensors.add({.id = "load",
+                 .label = "Load",
+                 .group = "Strength of touch",
+                 .channels = {{"load", "Load"}},
+                 .read = read_load,
+                 .spot = [](std::size_t, int) { return Vec3(0.6, 0.0, 0.0); },
+                 .reads_forces = true,
+                 .usual = false});
 }
 
 }  // namespace cambrian
