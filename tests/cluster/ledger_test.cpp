@@ -299,6 +299,30 @@ TEST_CASE("idle cores check the leader of an unfinished batch", "[cluster]") {
     CHECK(batch.complete());
 }
 
+TEST_CASE("a leader is checked at once, also where all scores are negative", "[cluster]") {
+    std::vector<EvaluationRequest> requests(4);
+    for (EvaluationRequest& request : requests) {
+        request.genome = std::make_shared<const Genome>();
+        request.expected_work = 1'000'000;
+    }
+    // Returns what the own core does after a proven worker's result for creature 0.
+    const auto next_after = [&](double fitness, Batch::Memory memory) {
+        for (std::uint32_t slot = 0; slot < 1'000'000; ++slot)
+            memory.trust.draw_check(7, 1, slot, 0.0);
+        Batch batch(requests, 1, memory);
+        const Cores cores{.own = 1, .remote = 1};
+        REQUIRE(batch.next_unit(0.0, cores)->creatures == List{0});
+        UnitResult result;
+        result.worker = 7;
+        result.results = {{0, genome_hash(*requests[0].genome), with_fitness(fitness)}};
+        REQUIRE(batch.take_result(0, result, 0.1, cores));
+        return batch.next_home_task(0.2, cores)->creatures;
+    };
+    CHECK(next_after(-3.0, {.trust = Trust(1)}) == List{0});
+    CHECK(next_after(-3.0, {.trust = Trust(1), .last_best = -4.0}) == List{0});
+    CHECK(next_after(-5.0, {.trust = Trust(1), .last_best = -4.0}) != List{0});
+}
+
 TEST_CASE("new workers are checked much, proven ones a little", "[cluster]") {
     Trust trust(42);
     int first = 0;

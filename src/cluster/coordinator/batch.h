@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ namespace cambrian {
 
 class Batch {
 public:
+    static constexpr double kNoScore = -std::numeric_limits<double>::infinity();
     // Data that outlives a batch.
     struct Memory {
         CostModel costs = {};
@@ -33,7 +35,7 @@ public:
         SeventhDecile latency{1e-3, 10.0};
         // The time of this machine's cores, which runs at once share, over their processor time.
         FadingRatio own_pace{50.0};
-        double last_best = 0.0;  // fitness in the last batch
+        double last_best = kNoScore;  // fitness in the last batch
         BackendCounts counts = {};
         std::vector<std::uint64_t> other_bits = {};  // workers refused since a result differed
     };
@@ -113,7 +115,7 @@ private:
     };
     std::vector<Published> published_;  // by unit
     std::size_t most_creatures_;
-    double best_ = 0.0;  // fitness of any result so far
+    double best_ = kNoScore;  // fitness of any result so far
     double core_seconds_ = 0.0;
     bool complete_ = false;
 };
