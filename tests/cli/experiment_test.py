@@ -5,6 +5,7 @@ import os
 import random
 import re
 import signal
+import subprocess
 import time
 import unittest
 
@@ -30,6 +31,19 @@ class Experiment(ProgramTest):
         self.assertEqual((last["experiment"], last["champion"]), ("a.cambrian", None))
         self.run_well("evolve", "small.toml", "-n", 1, "-o", "b.creature.json")
         self.assertNotIn("b.cambrian", self.files())
+
+    def test_two_runs_resumed_at_once_into_one_folder_keep_both_champions(self):
+        for name in "ab":
+            self.run_well("evolve", "small.toml", "-n", 1, "-o", f"{name}.cambrian")
+        runs = [self.start("evolve", "--resume", f"{name}.cambrian", "-n", 20, "--out", "both/",
+                           stderr=subprocess.DEVNULL) for name in "ab"]
+        for run in runs:
+            run.communicate(timeout=600)
+            self.assertEqual(run.returncode, DONE)
+        kept = sorted((self.folder / "both").iterdir())
+        self.assertEqual(len(kept), 2, kept)
+        for champion in kept:
+            self.run_well("verify", champion)
 
     def test_resumed_it_is_the_run_that_was_never_stopped(self):
         self.run_well("evolve", "small.toml", "-n", 20, "-t", 1, "-o", "uncut.cambrian")

@@ -11,6 +11,8 @@
 #include "app/trial/founder_files.h"
 #include "app/trial/score_notice.h"
 #include "cluster/join_cluster.h"
+#include "core/files/file_errors.h"
+#include "core/files/pending_file.h"
 #include "core/files/private_folder.h"
 #include "core/text/shell_word.h"
 #include "core/threads/thread_pool.h"
@@ -48,23 +50,6 @@ Result<SettingsPtr> settings_of(const EvolutionRun& run, const EvolutionKinds& k
     if (!run.seeds.empty()) settings->seed = run.seeds.front();
     if (const Status valid = check_settings(*settings, kinds); !valid) return valid.error();
     return std::make_shared<const ExperimentSettings>(*std::move(settings));
-}
-
-// Saves the champion under its path or, if that has become impossible, under another one.
-Result<std::filesystem::path> save_champion(const std::filesystem::path& path,
-                                            const CreatureDocument& champion,
-                                            const EvolutionKinds& kinds) {
-    const Status saved = save_creature(path, champion, kinds);
-    if (saved) return path;
-    const Result<std::filesystem::path> folder = make_lasting_private_folder();
-    if (!folder) return saved.error();
-    const std::filesystem::path refuge = *folder / path.filename();
-    if (!save_creature(refuge, champion, kinds)) {
-        std::error_code ignored;
-        std::filesystem::remove(*folder, ignored);
-        return saved.error();
-    }
-    return Error{fmt::format("{}; the champion is in {}", saved.error().message, refuge.string())};
 }
 
 // The evolution to run, its limits and its files.
@@ -254,9 +239,61 @@ Harvest evolve(Course& course, EvaluationBackend& backend, const ReportedRun& ru
     }
 }
 
+// Writes a file that does not exist yet.
+Status write_new_file(const std::filesystem::path& path, std::string_view bytes) {
+    Result<PendingFile> file = PendingFile::beside(path);
+    if (!file) return file.error();
+    if (const int code = file->write(bytes); code != 0) return write_outcome(path, code);
+    return file->commit(PendingFile::Existing::kRefuse);
+}
+
+// Saves a champion under a free name of a folder. If another run has taken the name that was chosen
+// for it, the next free ones are tried.
+Result<std::filesystem::path> save_numbered(std::filesystem::path path, const EvolutionRun& run,
+                                            const CreatureDocument& champion,
+                                            const ExperimentSettings& limits,
+                                            const EvolutionKinds& kinds) {
+    for (;;) {
+        const Status saved = write_new_file(path, write_creature(champion, kinds));
+        if (saved) return path;
+        std::error_code unknown;
+        if (!std::filesystem::exists(path, unknown)) return saved.error();
+        const Result<RunOutputs> others = run_outputs(run.out, limits, files_of(run));
+        if (!others || others->champion == path) return saved.error();
+        path = others->champion;
+    }
+}
+
+Result<std::filesystem::path> save_replacing(const std::filesystem::path& path,
+                                             const CreatureDocument& champion,
+                                             const EvolutionKinds& kinds) {
+    const Status saved = save_creature(path, champion, kinds);
+    return saved ? Result(path) : saved.error();
+}
+
+// Saves the champion under its path or, if that has become impossible, under another one.
+Result<std::filesystem::path> save_champion(const Course& course, const EvolutionRun& run,
+                                            const CreatureDocument& champion,
+                                            const EvolutionKinds& kinds) {
+    const std::filesystem::path& path = course.outputs.champion;
+    const auto saved = course.outputs.numbered
+                           ? save_numbered(path, run, champion, course.limits, kinds)
+                           : save_replacing(path, champion, kinds);
+    if (saved) return saved;
+    const Result<std::filesystem::path> folder = make_lasting_private_folder();
+    if (!folder) return saved.error();
+    const std::filesystem::path refuge = *folder / path.filename();
+    if (!save_creature(refuge, champion, kinds)) {
+        std::error_code ignored;
+        std::filesystem::remove(*folder, ignored);
+        return saved.error();
+    }
+    return Error{fmt::format("{}; the champion is in {}", saved.error().message, refuge.string())};
+}
+
 // Saves the champion and prints the final line.
-ExitStatus report(const Course& course, const Harvest& harvest, const ReportedRun& run,
-                  const EvolutionKinds& kinds) {
+ExitStatus report(const EvolutionRun& asked, const Course& course, const Harvest& harvest,
+                  const ReportedRun& run, const EvolutionKinds& kinds) {
     RunOutputs outputs = course.outputs;
     if (!outputs.champion.empty()) {
         CreatureDocument champion = creature_document(*harvest.champion, kinds);
@@ -265,7 +302,7 @@ ExitStatus report(const Course& course, const Harvest& harvest, const ReportedRu
                                                  harvest.champion->generation);
         }
         complete_score(champion, kinds);
-        const auto saved = save_champion(outputs.champion, champion, kinds);
+        const auto saved = save_champion(course, asked, champion, kinds);
         if (!saved) return fail(saved.error(), ExitStatus::kFailed);
         outputs.champion = *saved;
     }
@@ -328,7 +365,7 @@ RunEnd run_once(const EvolutionRun& run, const EvolutionKinds& kinds) {
     const Harvest harvest = evolve(*course, **backend, reported);
     ExitStatus status = ExitStatus::kFailed;
     if (harvest.champion) {
-        status = report(*course, harvest, reported, kinds);
+        status = report(run, *course, harvest, reported, kinds);
     } else if (harvest.kept) {
         const bool first = course->evolution.history().empty();
         say(fmt::format("interrupted before the {} generation was judged",

@@ -15,7 +15,8 @@ constexpr int kMostOfOneName = 10'000;
 RunOutputs named_in(const std::filesystem::path& folder, const std::string& name, int number) {
     const std::string numbered = number == 1 ? name : fmt::format("{}-{}", name, number);
     return {.champion = folder / fmt::format("champion-{}.creature.json", numbered),
-            .experiment = folder / (numbered + ".cambrian")};
+            .experiment = folder / (numbered + ".cambrian"),
+            .numbered = true};
 }
 
 bool is_free(const RunOutputs& outputs) {

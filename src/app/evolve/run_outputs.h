@@ -15,6 +15,7 @@ namespace cambrian {
 struct RunOutputs {
     std::filesystem::path champion;    // creature file
     std::filesystem::path experiment;  // experiment file, which does not exist yet
+    bool numbered = false;             // the names are free ones of a folder
 };
 
 // Chooses the files. `asked` is an experiment file (*.cambrian), a creature file for the champion,
