@@ -25,59 +25,49 @@ void later(SettingField& field, bool (*applies)(const Settings&)) {
 
 void add_jumps(TableBuilder& world) {
     later(world.number(
-              "light-nearest", "Light, nearest", "body lengths", Range{0.1, 100},
-              "The least distance of a jump of the light from the creature's center of mass.",
-              [](Settings & s) -> auto& { return s.world.environment.light_nearest; }),
+              &Environment::light_nearest, "light-nearest", "Light, nearest", "body lengths",
+              Range{0.1, 100},
+              "The least distance of a jump of the light from the creature's center of mass."),
           jumps);
     later(world.number(
-              "light-farthest", "Light, farthest", "body lengths", Range{0.1, 100},
-              "The greatest distance of a jump of the light. Slow creatures need shorter ways.",
-              [](Settings & s) -> auto& { return s.world.environment.light_farthest; }),
+              &Environment::light_farthest, "light-farthest", "Light, farthest", "body lengths",
+              Range{0.1, 100},
+              "The greatest distance of a jump of the light. Slow creatures need shorter ways."),
           jumps);
     later(world.number(
-              "light-period", "Light, period", "s", Range{0.1, 1000},
-              "The time between two jumps of the light. Creatures that turn slowly need more.",
-              [](Settings & s) -> auto& { return s.world.environment.light_period; }),
+              &Environment::light_period, "light-period", "Light, period", "s", Range{0.1, 1000},
+              "The time between two jumps of the light. Creatures that turn slowly need more."),
           jumps);
 }
 
 void add_light(TableBuilder& world) {
     world
-        .flag(
-            "light", "Light",
-            "The world has a light, which casts no shadows. Creatures need light sensors to see "
-            "it.",
-            [](Settings & s) -> auto& { return s.world.environment.has_light; })
+        .flag(&Environment::has_light, "light", "Light",
+              "The world has a light, which casts no shadows. Creatures need light sensors to see "
+              "it.")
         .later = true;
-    later(world.number(
-              "light-brightness", "Light, brightness", "", Range{0, 10},
-              "The brightness that a sensor reads at the light. 0 is darkness.",
-              [](Settings & s) -> auto& { return s.world.environment.light_brightness; }),
+    later(world.number(&Environment::light_brightness, "light-brightness", "Light, brightness", "",
+                       Range{0, 10},
+                       "The brightness that a sensor reads at the light. 0 is darkness."),
           has_light);
     later(world.number(
-              "light-x", "Light, x", "m", Range{-1000, 1000},
-              "The distance of the light to the right of the start. A moving light begins there.",
-              [](Settings & s) -> auto& { return s.world.environment.light_x; }),
+              &Environment::light_x, "light-x", "Light, x", "m", Range{-1000, 1000},
+              "The distance of the light to the right of the start. A moving light begins there."),
           has_light);
-    later(world.number(
-              "light-y", "Light, y", "m", Range{-1000, 1000},
-              "The height of the light. A moving light begins there.",
-              [](Settings & s) -> auto& { return s.world.environment.light_y; }),
+    later(world.number(&Environment::light_y, "light-y", "Light, y", "m", Range{-1000, 1000},
+                       "The height of the light. A moving light begins there."),
           has_light);
     later(world.choice(
-              "light-motion", "Light, motion", {kLightMotionIds.begin(), kLightMotionIds.end()},
-              "The light stays, jumps again and again to a point around the creature, or wanders.",
-              [](Settings & s) -> auto& { return s.world.environment.light_motion; }),
+              &Environment::light_motion, "light-motion", "Light, motion",
+              {kLightMotionIds.begin(), kLightMotionIds.end()},
+              "The light stays, jumps again and again to a point around the creature, or wanders."),
           has_light);
     later(world.number(
-              "light-range", "Light, range", "m", Range{0, 1000},
-              "The largest distance of a wandering light from where it begins, in each direction.",
-              [](Settings & s) -> auto& { return s.world.environment.light_range; }),
+              &Environment::light_range, "light-range", "Light, range", "m", Range{0, 1000},
+              "The largest distance of a wandering light from where it begins, in each direction."),
           wanders);
-    later(world.number(
-              "light-reach", "Light, reach", "m", Range{0.1, 100},
-              "The distance at which half of the brightness is left.",
-              [](Settings & s) -> auto& { return s.world.environment.light_reach; }),
+    later(world.number(&Environment::light_reach, "light-reach", "Light, reach", "m",
+                       Range{0.1, 100}, "The distance at which half of the brightness is left."),
           has_light);
     add_jumps(world);
 }
@@ -100,17 +90,13 @@ bool smells(const Settings& settings) {
 
 // Switches for comparisons, which do not change what creatures are made of.
 void add_missing_senses(TableBuilder& world) {
-    later(world.flag(
-              "deafness", "Deafness",
-              "Sensors of sound read 0. This is for comparisons of evolution with and without "
-              "hearing.",
-              [](Settings & s) -> auto& { return s.world.environment.deaf; }),
+    later(world.flag(&Environment::deaf, "deafness", "Deafness",
+                     "Sensors of sound read 0. This is for comparisons of evolution with and "
+                     "without hearing."),
           hears);
-    later(world.flag(
-              "anosmia", "No sense of smell",
-              "Sensors of smell read 0. This is for comparisons of evolution with and without "
-              "smell.",
-              [](Settings & s) -> auto& { return s.world.environment.scentless; }),
+    later(world.flag(&Environment::scentless, "anosmia", "No sense of smell",
+                     "Sensors of smell read 0. This is for comparisons of evolution with and "
+                     "without smell."),
           smells);
 }
 
@@ -118,41 +104,31 @@ void add_missing_senses(TableBuilder& world) {
 
 void add_environment(std::vector<SettingField>& fields) {
     TableBuilder world(fields, "environment");
+    world.number(&Environment::gravity, "gravity", "Gravity", "m/s^2", Range{0, 1000},
+                 "The acceleration of free fall. Earth has 9.81, Mars 3.71, the Moon 1.62; the "
+                 "swimmers' water has 0.");
     world.number(
-        "gravity", "Gravity", "m/s^2", Range{0, 1000},
-        "The acceleration of free fall. Earth has 9.81, Mars 3.71, the Moon 1.62; the swimmers' "
-        "water has 0.",
-        [](Settings & s) -> auto& { return s.world.environment.gravity; });
+        &Environment::gravity_direction, "gravity-direction", "Gravity direction", "deg",
+        Range{-180, 180},
+        "The direction of gravity, counter-clockwise from the right. -90 is straight down.");
+    world.flag(&Environment::has_ground, "ground", "Ground",
+               "The ground is a flat, endless floor at height 0.");
+    world.number(&Environment::friction, "friction", "Friction", "", Range{0, 100},
+                 "The coefficient of friction between parts and the ground, and between parts. Ice "
+                 "has 0.05, rubber 1.");
+    world.number(&Environment::elasticity, "elasticity", "Restitution", "", Range{0, 1},
+                 "The coefficient of restitution, which is the share of the speed that is left "
+                 "after a bounce. Clay has 0, a hard ball 0.9.");
     world.number(
-        "gravity-direction", "Gravity direction", "deg", Range{-180, 180},
-        "The direction of gravity, counter-clockwise from the right. -90 is straight down.",
-        [](Settings & s) -> auto& { return s.world.environment.gravity_direction; });
-    world.flag(
-        "ground", "Ground", "The ground is a flat, endless floor at height 0.",
-        [](Settings & s) -> auto& { return s.world.environment.has_ground; });
-    world.number(
-        "friction", "Friction", "", Range{0, 100},
-        "The coefficient of friction between parts and the ground, and between parts. Ice has "
-        "0.05, rubber 1.",
-        [](Settings & s) -> auto& { return s.world.environment.friction; });
-    world.number(
-        "elasticity", "Restitution", "", Range{0, 1},
-        "The coefficient of restitution, which is the share of the speed that is left after a "
-        "bounce. Clay has 0, a hard ball 0.9.",
-        [](Settings & s) -> auto& { return s.world.environment.elasticity; });
-    world.number(
-        "viscosity-linear", "Drag, linear", "N s/m^2", Range{0, 1e4},
-        "The coefficient of linear drag, which grows with the speed of a face, as in syrup.",
-        [](Settings & s) -> auto& { return s.world.environment.viscosity_linear; });
-    world.number(
-        "viscosity-quadratic", "Drag, quadratic", "kg/m^2", Range{0, 1e4},
-        "The coefficient of quadratic drag, which grows with the square of the speed of a face, as "
-        "in water.",
-        [](Settings & s) -> auto& { return s.world.environment.viscosity_quadratic; });
-    world.number(
-        "density", "Body density", "kg/m^2", Range{1e-3, 1e4},
-        "The mass of a body part for each square metre of its area.",
-        [](Settings & s) -> auto& { return s.world.environment.density; });
+        &Environment::viscosity_linear, "viscosity-linear", "Drag, linear", "N s/m^2",
+        Range{0, 1e4},
+        "The coefficient of linear drag, which grows with the speed of a face, as in syrup.");
+    world.number(&Environment::viscosity_quadratic, "viscosity-quadratic", "Drag, quadratic",
+                 "kg/m^2", Range{0, 1e4},
+                 "The coefficient of quadratic drag, which grows with the square of the speed of a "
+                 "face, as in water.");
+    world.number(&Environment::density, "density", "Body density", "kg/m^2", Range{1e-3, 1e4},
+                 "The mass of a body part for each square metre of its area.");
     add_light(world);
     add_missing_senses(world);
 }

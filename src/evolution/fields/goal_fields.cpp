@@ -7,9 +7,8 @@ namespace cambrian::setting_table {
 
 void add_goal(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
     TableBuilder goal(fields, "goal");
-    goal.kind_choice(
-        "behavior", "Behavior", kinds.goals.all(), "The behavior that creatures are selected for.",
-        [](Settings & s) -> auto& { return s.goal; });
+    goal.kind_choice(&Settings::goal, "behavior", "Behavior", kinds.goals.all(),
+                     "The behavior that creatures are selected for.");
 }
 
 Status check_goal(const Settings& settings, const EvolutionKinds& kinds) {

@@ -16,10 +16,10 @@ void add_switches(std::vector<SettingField>& fields, std::string table, const En
     for (const auto& entry : entries) {
         const std::string id(entry.id);
         SettingField& field = builder.flag(
-            id, std::string(entry.label), help,
             [ flags, id, usual = is_usual(entry) ](Settings & s) -> auto& {
                 return (s.founders.*flags).try_emplace(id, usual).first->second;
-            });
+            },
+            id, std::string(entry.label), help);
         field.later = !is_usual(entry) && flags != &FounderSettings::joints;
         if constexpr (requires { entry.group; }) field.group = entry.group;
     }

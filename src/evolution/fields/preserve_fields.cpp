@@ -29,114 +29,78 @@ bool has_ground(const Settings& settings) {
 }
 
 void add_world(TableBuilder& table) {
-    table.number(
-        "width", "Width", "m", Range{5, 1000},
-        "The distance of the left and the right wall, or the way round the world.",
-        [](Settings & s) -> auto& { return s.preserve.width; });
-    table.number(
-        "height", "Height", "m", Range{5, 1000},
-        "The distance from the lower wall or, if there is one, the ground to the upper wall, or "
-        "the way round the world.",
-        [](Settings & s) -> auto& { return s.preserve.height; });
+    table.number(&PreserveSettings::width, "width", "Width", "m", Range{5, 1000},
+                 "The distance of the left and the right wall, or the way round the world.");
+    table.number(&PreserveSettings::height, "height", "Height", "m", Range{5, 1000},
+                 "The distance from the lower wall or, if there is one, the ground to the upper "
+                 "wall, or the way round the world.");
+    table.choice(&PreserveSettings::edges, "edges", "Edges", {"walls", "wrap"},
+                 "Walls are soft and keep creatures in. With wrap, what leaves the world on one "
+                 "side enters it on the other; on ground only the left and the right edge meet.");
     table.choice(
-        "edges", "Edges", {"walls", "wrap"},
-        "Walls are soft and keep creatures in. With wrap, what leaves the world on one side enters "
-        "it on the other; on ground only the left and the right edge meet.",
-        [](Settings & s) -> auto& { return s.preserve.edges; });
-    table.choice(
-        "bodies", "Bodies", {"solid", "ghostly"},
+        &PreserveSettings::bodies, "bodies", "Bodies", {"solid", "ghostly"},
         "Solid creatures push each other, and bite what they touch. Ghostly ones pass through each "
-        "other, and bite what they overlap. They are ghostly by default where there is ground.",
-        [](Settings & s) -> auto& { return s.preserve.bodies; });
-    table.number(
-        "founders", "Founders", "creatures", Range{1, 1000},
-        "The number of creatures at the start.",
-        [](Settings & s) -> auto& { return s.preserve.founders; });
+        "other, and bite what they overlap. They are ghostly by default where there is ground.");
+    table.number(&PreserveSettings::founders, "founders", "Founders", "creatures", Range{1, 1000},
+                 "The number of creatures at the start.");
     setting_table::add_rhythmic_share(table);
+    table.number(&PreserveSettings::max_population, "max-population", "Creatures at most",
+                 "creatures", Range{1, 1000},
+                 "The number of creatures from which on nobody is born.");
     table.number(
-        "max-population", "Creatures at most", "creatures", Range{1, 1000},
-        "The number of creatures from which on nobody is born.",
-        [](Settings & s) -> auto& { return s.preserve.max_population; });
-    table.number(
-        "restock", "Restock below", "creatures", Range{0, 1000},
-        "The number of creatures below which copies of founders are added. 0 means never.",
-        [](Settings & s) -> auto& { return s.preserve.restock; });
+        &PreserveSettings::restock, "restock", "Restock below", "creatures", Range{0, 1000},
+        "The number of creatures below which copies of founders are added. 0 means never.");
 }
 
 void add_energy(TableBuilder& table) {
-    table.number(
-        "energy-density", "Energy", "J/m^2", Range{0.1, 1e3},
-        "All the energy of the world, for each square metre. It never changes.",
-        [](Settings & s) -> auto& { return s.preserve.energy_density; });
-    table.number(
-        "plant-energy", "Energy of a plant", "J", Range{0.1, 1e4}, "The energy of one plant.",
-        [](Settings & s) -> auto& { return s.preserve.plant_energy; });
+    table.number(&PreserveSettings::energy_density, "energy-density", "Energy", "J/m^2",
+                 Range{0.1, 1e3},
+                 "All the energy of the world, for each square metre. It never changes.");
+    table.number(&PreserveSettings::plant_energy, "plant-energy", "Energy of a plant", "J",
+                 Range{0.1, 1e4}, "The energy of one plant.");
     table
-        .number(
-            "plant-height", "Height of plants", "m", Range{0, 100},
-            "The height above the ground up to which plants grow. Flesh lies on the ground.",
-            [](Settings & s) -> auto& { return s.preserve.plant_height; })
+        .number(&PreserveSettings::plant_height, "plant-height", "Height of plants", "m",
+                Range{0, 100},
+                "The height above the ground up to which plants grow. Flesh lies on the ground.")
         .applies = has_ground;
-    table.number(
-        "growth-time", "Growth time", "s", Range{1, 1e6},
-        "The time constant at which the energy of the light becomes plants.",
-        [](Settings & s) -> auto& { return s.preserve.growth_time; });
-    table.number(
-        "efficiency", "Efficiency", "", Range{0.01, 1},
-        "The share of the energy that a joint takes which becomes work.",
-        [](Settings & s) -> auto& { return s.preserve.efficiency; });
-    table.number(
-        "body-upkeep", "Upkeep of a body", "W/kg", Range{0, 1e3},
-        "The power that a newborn body needs for each kilogram.",
-        [](Settings & s) -> auto& { return s.preserve.body_upkeep; });
-    table.number(
-        "neuron-upkeep", "Upkeep of a neuron", "W", Range{0, 10},
-        "The power that each connected neuron of a newborn needs.",
-        [](Settings & s) -> auto& { return s.preserve.neuron_upkeep; });
-    table.number(
-        "organ-upkeep", "Upkeep of organs", "W", Range{0, 100},
-        "The power that a voice or a scent gland needs at its full signal.",
-        [](Settings & s) -> auto& { return s.preserve.organ_upkeep; });
-    table.number(
-        "aging-time", "Aging time", "s", Range{1, 1e6},
-        "The age at which upkeep is twice that of a newborn. It grows on at that rate.",
-        [](Settings & s) -> auto& { return s.preserve.aging_time; });
-    table.number(
-        "flesh-half-life", "Half-life of flesh", "s", Range{1, 1e6},
-        "The time after which half of the energy of flesh has become light again.",
-        [](Settings & s) -> auto& { return s.preserve.flesh_half_life; });
+    table.number(&PreserveSettings::growth_time, "growth-time", "Growth time", "s", Range{1, 1e6},
+                 "The time constant at which the energy of the light becomes plants.");
+    table.number(&PreserveSettings::efficiency, "efficiency", "Efficiency", "", Range{0.01, 1},
+                 "The share of the energy that a joint takes which becomes work.");
+    table.number(&PreserveSettings::body_upkeep, "body-upkeep", "Upkeep of a body", "W/kg",
+                 Range{0, 1e3}, "The power that a newborn body needs for each kilogram.");
+    table.number(&PreserveSettings::neuron_upkeep, "neuron-upkeep", "Upkeep of a neuron", "W",
+                 Range{0, 10}, "The power that each connected neuron of a newborn needs.");
+    table.number(&PreserveSettings::organ_upkeep, "organ-upkeep", "Upkeep of organs", "W",
+                 Range{0, 100},
+                 "The power that a voice or a scent gland needs at its full signal.");
+    table.number(&PreserveSettings::aging_time, "aging-time", "Aging time", "s", Range{1, 1e6},
+                 "The age at which upkeep is twice that of a newborn. It grows on at that rate.");
+    table.number(&PreserveSettings::flesh_half_life, "flesh-half-life", "Half-life of flesh", "s",
+                 Range{1, 1e6},
+                 "The time after which half of the energy of flesh has become light again.");
 }
 
 void add_life(TableBuilder& table) {
     table.number(
-        "bite-power", "Bite", "W/m", Range{0, 1e5},
-        "The power that a mouth takes from what it overlaps, for each metre of its part's width.",
-        [](Settings & s) -> auto& { return s.preserve.bite_power; });
-    table.number(
-        "ramming", "Ramming", "J/J", Range{0, 1e3},
-        "The energy that a mouth takes from what it rams, for each joule of motion that the impact "
-        "takes. Only solid creatures ram.",
-        [](Settings & s) -> auto& { return s.preserve.ramming; });
-    table.number(
-        "birth-energy", "Store at birth", "J/kg", Range{1, 1e5},
-        "The energy that a newborn gets from its parent, for each kilogram.",
-        [](Settings & s) -> auto& { return s.preserve.birth_energy; });
-    table.number(
-        "body-energy", "Energy of a body", "J/kg", Range{0, 1e5},
-        "The energy that is bound in a body, for each kilogram.",
-        [](Settings & s) -> auto& { return s.preserve.body_energy; });
-    table.number(
-        "kin-peace", "Peace of kin", "s", Range{0, 1e6},
-        "The age below which a child and its parents do not bite each other.",
-        [](Settings & s) -> auto& { return s.preserve.kin_peace; });
-    table.number(
-        "birth-interval", "Time between births", "s", Range{1, 1e6},
-        "The least time between two births of one parent, and the least age of a parent.",
-        [](Settings & s) -> auto& { return s.preserve.birth_interval; });
-    table.number(
-        "mate-distance", "Mate within", "m", Range{0, 1e3},
-        "The distance up to which a mate is found. Without one, a child has one parent.",
-        [](Settings & s) -> auto& { return s.preserve.mate_distance; });
+        &PreserveSettings::bite_power, "bite-power", "Bite", "W/m", Range{0, 1e5},
+        "The power that a mouth takes from what it overlaps, for each metre of its part's width.");
+    table.number(&PreserveSettings::ramming, "ramming", "Ramming", "J/J", Range{0, 1e3},
+                 "The energy that a mouth takes from what it rams, for each joule of motion that "
+                 "the impact takes. Only solid creatures ram.");
+    table.number(&PreserveSettings::birth_energy, "birth-energy", "Store at birth", "J/kg",
+                 Range{1, 1e5},
+                 "The energy that a newborn gets from its parent, for each kilogram.");
+    table.number(&PreserveSettings::body_energy, "body-energy", "Energy of a body", "J/kg",
+                 Range{0, 1e5}, "The energy that is bound in a body, for each kilogram.");
+    table.number(&PreserveSettings::kin_peace, "kin-peace", "Peace of kin", "s", Range{0, 1e6},
+                 "The age below which a child and its parents do not bite each other.");
+    table.number(&PreserveSettings::birth_interval, "birth-interval", "Time between births", "s",
+                 Range{1, 1e6},
+                 "The least time between two births of one parent, and the least age of a parent.");
+    table.number(&PreserveSettings::mate_distance, "mate-distance", "Mate within", "m",
+                 Range{0, 1e3},
+                 "The distance up to which a mate is found. Without one, a child has one parent.");
 }
 
 template <auto Read>
@@ -146,18 +110,16 @@ Status is_read_by(const std::string& text) {
 }
 
 void add_places(TableBuilder& table) {
-    SettingField& walls = table.choice(
-        "walls", "Walls", {},
-        "Walls within the world, each with the x and y of both ends. The middle of the world or, "
-        "if there is ground, the middle of the ground is 0 0.",
-        [](Settings & s) -> auto& { return s.preserve.walls; });
+    SettingField& walls =
+        table.choice(&PreserveSettings::walls, "walls", "Walls", {},
+                     "Walls within the world, each with the x and y of both ends. The middle of "
+                     "the world or, if there is ground, the middle of the ground is 0 0.");
     walls.format = "\"x y x y; ...\" in m, at most 64";
     walls.check_text = is_read_by<walls_of>;
     SettingField& patches = table.choice(
-        "patches", "Patches of light", {},
+        &PreserveSettings::patches, "patches", "Patches of light", {},
         "Bright places, each with the x and y of its middle and the standard deviation of where "
-        "its plants grow. On ground only x counts. Without any, plants grow everywhere alike.",
-        [](Settings & s) -> auto& { return s.preserve.patches; });
+        "its plants grow. On ground only x counts. Without any, plants grow everywhere alike.");
     patches.format = "\"x y spread; ...\" in m, at most 64";
     patches.check_text = is_read_by<patches_of>;
 }
@@ -186,8 +148,8 @@ Status check_places(const Settings& s) {
 Status check_world(const Settings& s) {
     if (s.world.environment.has_light && s.world.environment.light_motion != "still")
         return Error{
-            fmt::format("[environment] light-motion: a preserve's light does not move; "
-                        "expected \"still\", found \"{}\"",
+            fmt::format("[environment] light-motion: a preserve's light does not move; expected "
+                        "\"still\", found \"{}\"",
                         s.world.environment.light_motion)};
     return {};
 }
@@ -208,14 +170,13 @@ double preserve_memory(const PreserveSettings& laws) {
 Status check_preserve_memory(const PreserveSettings& laws) {
     const double bytes = preserve_memory(laws);
     if (bytes <= kMostPreserveMemory) return {};
-    return Error{fmt::format(
-        "[preserve] width, height: {} m by {} m with up to {:.3g} plants need about {:.3g} GB of "
-        "memory, at most {:.1f} GB are allowed; expected a smaller world, less energy-density or "
-        "more "
-        "plant-energy",
-        short_text(laws.width), short_text(laws.height),
-        laws.energy_density * laws.width * laws.height / laws.plant_energy, 1e-9 * bytes,
-        1e-9 * kMostPreserveMemory)};
+    return Error{
+        fmt::format("[preserve] width, height: {} m by {} m with up to {:.3g} plants need about "
+                    "{:.3g} GB of memory, at most {:.1f} GB are allowed; expected a smaller world, "
+                    "less energy-density or more plant-energy",
+                    short_text(laws.width), short_text(laws.height),
+                    laws.energy_density * laws.width * laws.height / laws.plant_energy,
+                    1e-9 * bytes, 1e-9 * kMostPreserveMemory)};
 }
 
 std::vector<SettingField> preserve_fields(const EvolutionKinds& kinds) {

@@ -23,30 +23,21 @@ using setting_table::TableBuilder;
 
 void add_run(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
     TableBuilder run(fields, "run");
-    run.number(
-           "seed", "Seed", "", Range{0, 1e15},
-           "The seed of all random numbers. The same seed gives the same evolution.",
-           [](Settings & s) -> auto& { return s.seed; })
+    run.number(&Settings::seed, "seed", "Seed", "", Range{0, 1e15},
+               "The seed of all random numbers. The same seed gives the same evolution.")
         .live = false;
+    run.number(&Settings::generations, "generations", "Generations", "", Range{1, 1e6},
+               "The number of generations after which an unattended run stops.");
     run.number(
-        "generations", "Generations", "", Range{1, 1e6},
-        "The number of generations after which an unattended run stops.",
-        [](Settings & s) -> auto& { return s.generations; });
-    run.number(
-        "max-evaluations", "Evaluations", "", Range{1, 1e9},
-        "The number of trials after which an unattended run stops, at the end of a generation.",
-        [](Settings & s) -> auto& { return s.max_evaluations; });
-    run.number(
-        "target-fitness", "Target fitness", "", Range{0, 1e6},
-        "The best fitness at which an unattended run stops. 0 means no target.",
-        [](Settings & s) -> auto& { return s.target_fitness; });
-    run.flag(
-           "stop-hopeless", "Early termination",
-           "A trial ends as soon as the creature could not survive even at 1.5 times its best "
-           "speed. The first 30 such trials and 10 % of the later ones run to their end, to check "
-           "the rule. It has an effect with one trial a creature, in walking, swimming and "
-           "jumping, where the best share survives.",
-           [](Settings & s) -> auto& { return s.terminate_early; })
+        &Settings::max_evaluations, "max-evaluations", "Evaluations", "", Range{1, 1e9},
+        "The number of trials after which an unattended run stops, at the end of a generation.");
+    run.number(&Settings::target_fitness, "target-fitness", "Target fitness", "", Range{0, 1e6},
+               "The best fitness at which an unattended run stops. 0 means no target.");
+    run.flag(&Settings::terminate_early, "stop-hopeless", "Early termination",
+             "A trial ends as soon as the creature could not survive even at 1.5 times its best "
+             "speed. The first 30 such trials and 10 % of the later ones run to their end, to "
+             "check the rule. It has an effect with one trial a creature, in walking, swimming and "
+             "jumping, where the best share survives.")
         .applies = [&kinds](const Settings& s) {
         const GoalKind* goal = kinds.goals.find(s.goal);
         const SelectionKind* selection = kinds.selections.find(s.selection.method);
@@ -57,174 +48,137 @@ void add_run(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
 
 void add_simulation(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
     TableBuilder table(fields, "simulation");
-    table.kind_choice(
-        "integrator", "Integrator", kinds.creature.scene.integrators,
-        "The numerical method that computes motion from forces.",
-        [](Settings & s) -> auto& { return s.world.scene.integrator; });
+    table.kind_choice(&SceneSettings::integrator, "integrator", "Integrator",
+                      kinds.creature.scene.integrators,
+                      "The numerical method that computes motion from forces.");
     table
-        .number(
-            "tolerance", "Tolerance", "", Range{1e-8, 1e-1},
-            "The permitted error of a time step. A smaller tolerance is more exact and slower.",
-            [](Settings & s) -> auto& { return s.world.scene.tolerance; })
+        .number(&SceneSettings::tolerance, "tolerance", "Tolerance", "", Range{1e-8, 1e-1},
+                "The permitted error of a time step. A smaller tolerance is more exact and slower.")
         .logarithmic = true;
     table
-        .number(
-            "contact-step", "Contact step", "s", Range{kLeastContactStep, 1.0 / 60},
-            "The longest time step while parts are in contact or joints are at their limits.",
-            [](Settings & s) -> auto& { return s.world.scene.contact_step; })
+        .number(&SceneSettings::contact_step, "contact-step", "Contact step", "s",
+                Range{kLeastContactStep, 1.0 / 60},
+                "The longest time step while parts are in contact or joints are at their limits.")
         .logarithmic = true;
     table
-        .number(
-            "max-evaluations", "Work limit", "evaluations/s", Range{1e3, kMostEvaluations},
-            "The largest number of evaluations of the accelerations for each simulated second. A "
-            "trial that needs more is stopped.",
-            [](Settings & s) -> auto& { return s.world.scene.max_evaluations; })
+        .number(&SceneSettings::max_evaluations, "max-evaluations", "Work limit", "evaluations/s",
+                Range{1e3, kMostEvaluations},
+                "The largest number of evaluations of the accelerations for each simulated second. "
+                "A trial that needs more is stopped.")
         .logarithmic = true;
     table.number(
-        "muscle-strength", "Muscle strength", "N/m", Range{0, 1e4},
-        "The largest torque of a joint, divided by the square of its narrower part's width.",
-        [](Settings & s) -> auto& { return s.world.scene.muscle_strength; });
-    table.number(
-        "target-smoothing", "Muscle smoothing", "s", Range{0, 10},
-        "The time constant with which a joint follows its brain. A longer time gives calmer "
-        "motion.",
-        [](Settings & s) -> auto& { return s.world.scene.target_smoothing; });
-    table.number(
-        "motor-speed-limit", "Joint speed limit", "rad/s", Range{0, 100},
-        "The largest speed that a muscle asks of its joint.",
-        [](Settings & s) -> auto& { return s.world.scene.motor_speed_limit; });
+        &SceneSettings::muscle_strength, "muscle-strength", "Muscle strength", "N/m", Range{0, 1e4},
+        "The largest torque of a joint, divided by the square of its narrower part's width.");
+    table.number(&SceneSettings::target_smoothing, "target-smoothing", "Muscle smoothing", "s",
+                 Range{0, 10},
+                 "The time constant with which a joint follows its brain. A longer time gives "
+                 "calmer motion.");
+    table.number(&SceneSettings::motor_speed_limit, "motor-speed-limit", "Joint speed limit",
+                 "rad/s", Range{0, 100}, "The largest speed that a muscle asks of its joint.");
     table
-        .number(
-            "deform-speed-limit", "Deformer speed limit", "1/s", Range{0, 100},
-            "The largest rate at which a deformer asks its part to stretch or to shorten.",
-            [](Settings & s) -> auto& { return s.world.scene.deform_speed_limit; })
+        .number(&SceneSettings::deform_speed_limit, "deform-speed-limit", "Deformer speed limit",
+                "1/s", Range{0, 100},
+                "The largest rate at which a deformer asks its part to stretch or to shorten.")
         .later = true;
-    table.number(
-        "motor-frequency", "Muscle frequency", "rad/s", Range{0.1, 200},
-        "The frequency with which a muscle corrects a joint that is off its target.",
-        [](Settings & s) -> auto& { return s.world.scene.motor_frequency; });
+    table.number(&SceneSettings::motor_frequency, "motor-frequency", "Muscle frequency", "rad/s",
+                 Range{0.1, 200},
+                 "The frequency with which a muscle corrects a joint that is off its target.");
     table
-        .choice(
-            "motor-mode", "Control mode", {kMotorModeIds.begin(), kMotorModeIds.end()},
-            "The quantity of a joint that a brain sets: its position, its speed or its torque.",
-            [](Settings & s) -> auto& { return s.world.scene.motor_mode; })
+        .choice(&SceneSettings::motor_mode, "motor-mode", "Control mode",
+                {kMotorModeIds.begin(), kMotorModeIds.end()},
+                "The quantity of a joint that a brain sets: its position, its speed or its torque.")
         .live = false;
-    table.number(
-        "brain-steps", "Brain steps per tick", "", Range{1, 2},
-        "The number of steps of the brain in each sixtieth of a second.",
-        [](Settings & s) -> auto& { return s.world.scene.brain_steps; });
+    table.number(&SceneSettings::brain_steps, "brain-steps", "Brain steps per tick", "",
+                 Range{1, 2}, "The number of steps of the brain in each sixtieth of a second.");
 }
 
 void add_trial(std::vector<SettingField>& fields) {
     TableBuilder table(fields, "trial");
+    table.number(&TrialSettings::duration, "duration", "Duration", "s", Range{0, 1e4},
+                 "The time during which a creature is judged.");
     table.number(
-        "duration", "Duration", "s", Range{0, 1e4}, "The time during which a creature is judged.",
-        [](Settings & s) -> auto& { return s.world.trial.duration; });
+        &TrialSettings::settle_limit, "settle-limit", "Settling", "s", Range{0, 60},
+        "The longest time in which a creature may come to rest on the ground before it is judged.");
+    table.flag(&TrialSettings::settle_motors_off, "limp-settle", "Settle with motors off",
+               "Creatures come to rest with motors off and without friction. Otherwise they hold "
+               "their rest pose.");
+    table.number(&TrialSettings::max_part_speed, "max-part-speed", "Speed limit", "m/s",
+                 Range{1, 1e4},
+                 "The speed limit of a part. A creature with a faster part is disqualified.");
+    table.number(&TrialSettings::max_part_spin, "max-part-spin", "Angular speed limit", "rad/s",
+                 Range{1, 1e4},
+                 "The limit of angular speed of a part. A creature with a part that spins faster "
+                 "is disqualified.");
     table.number(
-        "settle-limit", "Settling", "s", Range{0, 60},
-        "The longest time in which a creature may come to rest on the ground before it is judged.",
-        [](Settings & s) -> auto& { return s.world.trial.settle_limit; });
-    table.flag(
-        "limp-settle", "Settle with motors off",
-        "Creatures come to rest with motors off and without friction. Otherwise they hold their "
-        "rest pose.",
-        [](Settings & s) -> auto& { return s.world.trial.settle_motors_off; });
-    table.number(
-        "max-part-speed", "Speed limit", "m/s", Range{1, 1e4},
-        "The speed limit of a part. A creature with a faster part is disqualified.",
-        [](Settings & s) -> auto& { return s.world.trial.max_part_speed; });
-    table.number(
-        "max-part-spin", "Angular speed limit", "rad/s", Range{1, 1e4},
-        "The limit of angular speed of a part. A creature with a part that spins faster is "
-        "disqualified.",
-        [](Settings & s) -> auto& { return s.world.trial.max_part_spin; });
-    table.number(
-        "max-ground-depth", "Penetration limit", "m", Range{1e-3, 10},
-        "The limit of penetration of the ground. A creature that stays deeper is disqualified.",
-        [](Settings & s) -> auto& { return s.world.trial.max_ground_depth; });
-    table.number(
-        "max-reversal-rate", "Joint reversal limit", "Hz", Range{0.1, 1e3},
-        "The limit of the frequency at which joints change direction. A creature that shakes "
-        "faster has its score scaled down.",
-        [](Settings & s) -> auto& { return s.world.trial.max_reversal_rate; });
-    table.flag(
-        "stop-at-rest", "Stop at rest",
-        "A trial ends when body and brain of the creature have been at rest for 2 s, because its "
-        "score is then known.",
-        [](Settings & s) -> auto& { return s.world.trial.stop_at_rest; });
+        &TrialSettings::max_ground_depth, "max-ground-depth", "Penetration limit", "m",
+        Range{1e-3, 10},
+        "The limit of penetration of the ground. A creature that stays deeper is disqualified.");
+    table.number(&TrialSettings::max_reversal_rate, "max-reversal-rate", "Joint reversal limit",
+                 "Hz", Range{0.1, 1e3},
+                 "The limit of the frequency at which joints change direction. A creature that "
+                 "shakes faster has its score scaled down.");
+    table.flag(&TrialSettings::stop_at_rest, "stop-at-rest", "Stop at rest",
+               "A trial ends when body and brain of the creature have been at rest for 2 s, "
+               "because its score is then known.");
     setting_table::add_trials(table);
 }
 
 void add_population(std::vector<SettingField>& fields) {
     TableBuilder table(fields, "population");
-    table.number(
-        "size", "Population size", "creatures", Range{2, 20000},
-        "The number of creatures in a generation.",
-        [](Settings & s) -> auto& { return s.population.size; });
-    table.number(
-        "immigrants", "Random immigrants", "creatures", Range{0, 20000},
-        "The number of new random creatures in each generation.",
-        [](Settings & s) -> auto& { return s.population.immigrants; });
+    table.number(&PopulationSettings::size, "size", "Population size", "creatures", Range{2, 20000},
+                 "The number of creatures in a generation.");
+    table.number(&PopulationSettings::immigrants, "immigrants", "Random immigrants", "creatures",
+                 Range{0, 20000}, "The number of new random creatures in each generation.");
     table
-        .number(
-            "tuned", "Tuned offspring", "", Range{0, 1},
-            "The share of the offspring that copy the best creature of a lineage, with all or some "
-            "of its numbers changed a little.",
-            [](Settings & s) -> auto& { return s.population.tuned; })
+        .number(&PopulationSettings::tuned, "tuned", "Tuned offspring", "", Range{0, 1},
+                "The share of the offspring that copy the best creature of a lineage, with all or "
+                "some of its numbers changed a little.")
         .later = true;
     setting_table::add_rhythmic_share(table);
     table
-        .choice(
-            "fill", "Fill up with", {"mutants", "random"},
-            "The creatures that fill up the population if founders are given: mutants of the "
-            "founders or random creatures.",
-            [](Settings & s) -> auto& { return s.population.fill; })
+        .choice(&PopulationSettings::fill, "fill", "Fill up with", {"mutants", "random"},
+                "The creatures that fill up the population if founders are given: mutants of the "
+                "founders or random creatures.")
         .live = false;
 }
 
 void add_breeding(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
     TableBuilder breeding(fields, "breeding");
-    breeding.choice(
-        "choice", "Choice of method", {"shares", "attribute"},
-        "The breeding method of an offspring follows from the shares below, or from an "
-        "attribute of its parent that is inherited and mutates.",
-        [](Settings & s) -> auto& { return s.breeding.choice; });
+    breeding.choice(&BreedingSettings::choice, "choice", "Choice of method",
+                    {"shares", "attribute"},
+                    "The breeding method of an offspring follows from the shares below, or from an "
+                    "attribute of its parent that is inherited and mutates.");
     for (const BreedingKind& kind : kinds.breeding.all()) {
         breeding.number(
-            kind.id, kind.label, "", Range{0, 1},
-            "The share of the offspring that this method makes. The shares of all methods add up "
-            "to 1.",
             [ id = kind.id, standard = kind.default_share ](Settings & s) -> auto& {
                 return s.breeding.shares.try_emplace(id, standard).first->second;
-            });
+            },
+            kind.id, kind.label, "", Range{0, 1},
+            "The share of the offspring that this method makes. The shares of all methods add up "
+            "to 1.");
     }
 }
 
 void add_mutation(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {
     TableBuilder mutation(fields, "mutation");
-    mutation.choice(
-        "scheme", "Scheme", {"count-first", "gate", "none"},
-        "The rule by which the number of mutations of an offspring is drawn.",
-        [](Settings & s) -> auto& { return s.mutation.scheme; });
-    mutation.number(
-        "rate", "Mutation rate", "x", Range{0, 8},
-        "The factor by which the number of mutations of an offspring is scaled. At 1, 25 % of the "
-        "offspring have none, 50 % have one and 25 % have more.",
-        [](Settings & s) -> auto& { return s.mutation.rate; });
-    mutation.flag(
-        "collect-mute-neurons", "Prune neurons",
-        "Neurons without a path to a joint or an organ are removed. Otherwise they stay and may be "
-        "connected later.",
-        [](Settings & s) -> auto& { return s.mutation.remove_disconnected_neurons; });
+    mutation.choice(&MutationSettings::scheme, "scheme", "Scheme", {"count-first", "gate", "none"},
+                    "The rule by which the number of mutations of an offspring is drawn.");
+    mutation.number(&MutationSettings::rate, "rate", "Mutation rate", "x", Range{0, 8},
+                    "The factor by which the number of mutations of an offspring is scaled. At 1, "
+                    "25 % of the offspring have none, 50 % have one and 25 % have more.");
+    mutation.flag(&MutationSettings::remove_disconnected_neurons, "collect-mute-neurons",
+                  "Prune neurons",
+                  "Neurons without a path to a joint or an organ are removed. Otherwise they stay "
+                  "and may be connected later.");
     TableBuilder weights(fields, "mutation.weights");
     for (const MutationKind& kind : kinds.mutations.all()) {
         weights
             .number(
-                kind.id, kind.label, "", Range{0, 1000},
-                "The frequency of this kind of mutation, relative to the others.",
                 [ id = kind.id, standard = kind.default_weight ](Settings & s) -> auto& {
                     return s.mutation.weights.try_emplace(id, standard).first->second;
-                })
+                },
+                kind.id, kind.label, "", Range{0, 1000},
+                "The frequency of this kind of mutation, relative to the others.")
             .later = kind.later;
     }
 }
@@ -234,68 +188,47 @@ void add_body(std::vector<SettingField>& fields) {
     const auto structural = [&](auto&&... arguments) {
         body.number(std::forward<decltype(arguments)>(arguments)...).live = false;
     };
-    structural(
-        "max-parts", "Parts at most", "", Range{2, 32}, "The largest number of parts of a body.",
-        [](Settings & s) -> auto& { return s.expression.max_parts; });
-    structural(
-        "max-depth", "Depth at most", "", Range{1, 32},
-        "The largest number of joints between the root and any part.",
-        [](Settings & s) -> auto& { return s.expression.max_depth; });
-    structural(
-        "max-neurons", "Neurons at most", "", Range{1, 4096},
-        "The largest number of neurons of a brain.",
-        [](Settings & s) -> auto& { return s.expression.max_neurons; });
-    body.flag(
-            "strict-overlap", "No overlap",
-            "Bodies are rejected if parts overlap that no joint connects. Otherwise such parts "
-            "pass through each other.",
-            [](Settings & s) -> auto& { return s.expression.strict_overlap; })
+    structural(&ExpressionSettings::max_parts, "max-parts", "Parts at most", "", Range{2, 32},
+               "The largest number of parts of a body.");
+    structural(&ExpressionSettings::max_depth, "max-depth", "Depth at most", "", Range{1, 32},
+               "The largest number of joints between the root and any part.");
+    structural(&ExpressionSettings::max_neurons, "max-neurons", "Neurons at most", "",
+               Range{1, 4096}, "The largest number of neurons of a brain.");
+    body.flag(&ExpressionSettings::strict_overlap, "strict-overlap", "No overlap",
+              "Bodies are rejected if parts overlap that no joint connects. Otherwise such parts "
+              "pass through each other.")
         .live = false;
-    structural(
-        "min-nodes", "Founder nodes, least", "", Range{1, gene_range::kMaxNodes},
-        "The smallest number of part genes of a random creature.",
-        [](Settings & s) -> auto& { return s.founders.min_nodes; });
-    structural(
-        "max-nodes", "Founder nodes, most", "", Range{1, gene_range::kMaxNodes},
-        "The largest number of part genes of a random creature.",
-        [](Settings & s) -> auto& { return s.founders.max_nodes; });
-    structural(
-        "min-length", "Founder length, least", "m",
-        Range{gene_range::kMinSize, gene_range::kMaxLength},
-        "The smallest length of a random part.",
-        [](Settings & s) -> auto& { return s.founders.min_length; });
-    structural(
-        "max-length", "Founder length, most", "m",
-        Range{gene_range::kMinSize, gene_range::kMaxLength}, "The largest length of a random part.",
-        [](Settings & s) -> auto& { return s.founders.max_length; });
-    structural(
-        "min-width", "Founder width, least", "m",
-        Range{gene_range::kMinSize, gene_range::kMaxWidth}, "The smallest width of a random part.",
-        [](Settings & s) -> auto& { return s.founders.min_width; });
-    structural(
-        "max-width", "Founder width, most", "m", Range{gene_range::kMinSize, gene_range::kMaxWidth},
-        "The largest width of a random part.",
-        [](Settings & s) -> auto& { return s.founders.max_width; });
-    structural(
-        "moving-share", "Moving joints", "", Range{0, 1},
-        "The share of a random creature's joints that move.",
-        [](Settings & s) -> auto& { return s.founders.moving_share; });
-    structural(
-        "symmetric-share", "Symmetry", "", Range{0, 1},
-        "The share of a random creature's parts that grow as mirror pairs.",
-        [](Settings & s) -> auto& { return s.founders.symmetric_share; });
-    structural(
-        "max-recursion", "Founder recursion", "", Range{1, gene_range::kMaxRecursion},
-        "The largest number of repetitions of a random part along a limb.",
-        [](Settings & s) -> auto& { return s.founders.max_recursion; });
-    structural(
-        "node-neurons", "Founder neurons a part", "", Range{0, gene_range::kMaxNodeNeurons},
-        "The largest number of neurons in each part of a random creature.",
-        [](Settings & s) -> auto& { return s.founders.max_node_neurons; });
-    structural(
-        "brain-neurons", "Founder central neurons", "", Range{0, gene_range::kMaxBrainNeurons},
-        "The largest number of central neurons of a random creature.",
-        [](Settings & s) -> auto& { return s.founders.max_brain_neurons; });
+    structural(&FounderSettings::min_nodes, "min-nodes", "Founder nodes, least", "",
+               Range{1, gene_range::kMaxNodes},
+               "The smallest number of part genes of a random creature.");
+    structural(&FounderSettings::max_nodes, "max-nodes", "Founder nodes, most", "",
+               Range{1, gene_range::kMaxNodes},
+               "The largest number of part genes of a random creature.");
+    structural(&FounderSettings::min_length, "min-length", "Founder length, least", "m",
+               Range{gene_range::kMinSize, gene_range::kMaxLength},
+               "The smallest length of a random part.");
+    structural(&FounderSettings::max_length, "max-length", "Founder length, most", "m",
+               Range{gene_range::kMinSize, gene_range::kMaxLength},
+               "The largest length of a random part.");
+    structural(&FounderSettings::min_width, "min-width", "Founder width, least", "m",
+               Range{gene_range::kMinSize, gene_range::kMaxWidth},
+               "The smallest width of a random part.");
+    structural(&FounderSettings::max_width, "max-width", "Founder width, most", "m",
+               Range{gene_range::kMinSize, gene_range::kMaxWidth},
+               "The largest width of a random part.");
+    structural(&FounderSettings::moving_share, "moving-share", "Moving joints", "", Range{0, 1},
+               "The share of a random creature's joints that move.");
+    structural(&FounderSettings::symmetric_share, "symmetric-share", "Symmetry", "", Range{0, 1},
+               "The share of a random creature's parts that grow as mirror pairs.");
+    structural(&FounderSettings::max_recursion, "max-recursion", "Founder recursion", "",
+               Range{1, gene_range::kMaxRecursion},
+               "The largest number of repetitions of a random part along a limb.");
+    structural(&FounderSettings::max_node_neurons, "node-neurons", "Founder neurons a part", "",
+               Range{0, gene_range::kMaxNodeNeurons},
+               "The largest number of neurons in each part of a random creature.");
+    structural(&FounderSettings::max_brain_neurons, "brain-neurons", "Founder central neurons", "",
+               Range{0, gene_range::kMaxBrainNeurons},
+               "The largest number of central neurons of a random creature.");
 }
 
 std::string place(const SettingField& field) {
@@ -329,10 +262,9 @@ namespace setting_table {
 
 void add_rhythmic_share(TableBuilder& table) {
     SettingField& rhythmic = table.number(
-        "rhythmic", "Rhythmic founders", "", Range{0, 1},
-        "The share of random creatures whose limbs are chains, many of them in mirrored pairs, and "
-        "move at one frequency with random phases.",
-        [](Settings & s) -> auto& { return s.founders.rhythmic_share; });
+        &FounderSettings::rhythmic_share, "rhythmic", "Rhythmic founders", "", Range{0, 1},
+        "The share of random creatures whose limbs are chains, many of them in "
+        "mirrored pairs, and move at one frequency with random phases.");
     rhythmic.live = false;
     rhythmic.later = true;
 }
@@ -383,8 +315,8 @@ Status check_creatures(const Settings& s, const EvolutionKinds& kinds) {
     }
     if (!(weights > 0.0) && s.mutation.scheme != "none") {
         return Error{
-            "[mutation.weights]: all weights are 0; at least one must be above, or set "
-            "[mutation] scheme to \"none\""};
+            "[mutation.weights]: all weights are 0; at least one must be above, or set [mutation] "
+            "scheme to \"none\""};
     }
     return {};
 }

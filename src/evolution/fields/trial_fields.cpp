@@ -16,47 +16,35 @@ bool depends_on_chance(const Settings& settings) {
 
 void add_trials(TableBuilder& trial) {
     trial
-        .flag(
-            "cube", "Cube",
-            "A free cube lies on the ground. The creature starts beside it, across from an "
-            "opponent if the goal is a competition.",
-            [](Settings & s) -> auto& { return s.world.trial.has_cube; })
+        .flag(&TrialSettings::has_cube, "cube", "Cube",
+              "A free cube lies on the ground. The creature starts beside it, across from an "
+              "opponent if the goal is a competition.")
         .later = true;
-    trial.number(
-        "trials", "Trials", "", Range{1, 50},
-        "The number of trials of each creature. The first is in the world as it is; further ones "
-        "have the changes below, the same for all creatures.",
-        [](Settings & s) -> auto& { return s.world.trial.trials; });
+    trial.number(&TrialSettings::trials, "trials", "Trials", "", Range{1, 50},
+                 "The number of trials of each creature. The first is in the world as it is; "
+                 "further ones have the changes below, the same for all creatures.");
     trial
-        .number(
-            "friction-jitter", "Friction jitter", "", Range{0, 1},
-            "The largest relative change of the friction in further trials.",
-            [](Settings & s) -> auto& { return s.world.trial.friction_jitter; })
+        .number(&TrialSettings::friction_jitter, "friction-jitter", "Friction jitter", "",
+                Range{0, 1}, "The largest relative change of the friction in further trials.")
         .applies = several;
     trial
-        .number(
-            "tilt-jitter", "Tilt jitter", "deg", Range{0, 90},
-            "The largest angle by which the start pose of further trials is turned.",
-            [](Settings & s) -> auto& { return s.world.trial.tilt_jitter; })
+        .number(&TrialSettings::tilt_jitter, "tilt-jitter", "Tilt jitter", "deg", Range{0, 90},
+                "The largest angle by which the start pose of further trials is turned.")
         .applies = several;
     trial
-        .choice(
-            "combine", "Score of trials", {"mean", "minimum"},
-            "The rule that makes one score of several trials. The minimum selects for robust "
-            "creatures.",
-            [](Settings & s) -> auto& { return s.world.trial.combine; })
+        .choice(&TrialSettings::combine, "combine", "Score of trials", {"mean", "minimum"},
+                "The rule that makes one score of several trials. The minimum selects for robust "
+                "creatures.")
         .applies = several;
     SettingField& renewal = trial.number(
-        "trials-renewed", "Renewal interval", "generations", Range{0, 1e6},
+        &TrialSettings::renewal, "trials-renewed", "Renewal interval", "generations", Range{0, 1e6},
         "The number of generations after which the changes and the motions of the light are drawn "
-        "again, for all creatures, and all scores are computed again. 0 means never.",
-        [](Settings & s) -> auto& { return s.world.trial.renewal; });
+        "again, for all creatures, and all scores are computed again. 0 means never.");
     renewal.later = true;
     renewal.applies = depends_on_chance;
-    SettingField& draw = trial.number(
-        "draw", "Renewals", "", Range{0, 1e6},
-        "The number of times that the changes were drawn again so far. The run itself counts them.",
-        [](Settings & s) -> auto& { return s.world.trial.draw; });
+    SettingField& draw = trial.number(&TrialSettings::draw, "draw", "Renewals", "", Range{0, 1e6},
+                                      "The number of times that the changes were drawn again so "
+                                      "far. The run itself counts them.");
     draw.later = true;
     draw.live = false;
     draw.by_run = true;

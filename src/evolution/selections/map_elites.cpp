@@ -58,16 +58,12 @@ void add_map_settings(SelectionRows& rows) {
     for (const MapAxis& axis : map_axes())
         axes.emplace_back(axis.id);
     rows.table
-        .choice(
-            "map-across", "Map, across", axes,
-            "The first of two quantities in which kinds of creatures differ.",
-            [](ExperimentSettings & s) -> auto& { return s.selection.map_across; })
+        .choice(&SelectionSettings::map_across, "map-across", "Map, across", axes,
+                "The first of two quantities in which kinds of creatures differ.")
         .applies = rows.in_force;
     rows.table
-        .choice(
-            "map-up", "Map, up", axes,
-            "The second of two quantities in which kinds of creatures differ.",
-            [](ExperimentSettings & s) -> auto& { return s.selection.map_up; })
+        .choice(&SelectionSettings::map_up, "map-up", "Map, up", axes,
+                "The second of two quantities in which kinds of creatures differ.")
         .applies = rows.in_force;
 }
 

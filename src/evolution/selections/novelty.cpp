@@ -133,17 +133,13 @@ SelectionResult select_by_novelty(std::span<const IndividualPtr> ranked,
 
 void add_novelty_settings(SelectionRows& rows) {
     rows.table
-        .number(
-            kNeighbors.key, "Neighbors", "creatures", {1, 1000},
-            "The number of most similar creatures against which novelty is measured.",
-            [](ExperimentSettings & s) -> auto& { return kNeighbors.in(s.selection.own); })
+        .number(kNeighbors, kNeighbors.key, "Neighbors", "creatures", {1, 1000},
+                "The number of most similar creatures against which novelty is measured.")
         .applies = rows.in_force;
     rows.table
-        .number(
-            kThreshold.key, "Novelty to be kept", "", {1e-3, 100},
-            "The distance from other creatures, in standard deviations, from which on a creature "
-            "is remembered as novel. This is the initial value; it adapts.",
-            [](ExperimentSettings & s) -> auto& { return kThreshold.in(s.selection.own); })
+        .number(kThreshold, kThreshold.key, "Novelty to be kept", "", {1e-3, 100},
+                "The distance from other creatures, in standard deviations, from which on a "
+                "creature is remembered as novel. This is the initial value; it adapts.")
         .applies = rows.in_force;
 }
 

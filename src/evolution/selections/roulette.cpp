@@ -39,10 +39,8 @@ SelectionResult select_by_roulette(std::span<const IndividualPtr> ranked,
 
 void add_roulette_settings(SelectionRows& rows) {
     rows.table
-        .number(
-            "elites", "Elites", "creatures", {1, 1000},
-            "The number of best creatures that survive while all creatures may breed.",
-            [](ExperimentSettings & s) -> auto& { return s.selection.elites; })
+        .number(&SelectionSettings::elites, "elites", "Elites", "creatures", {1, 1000},
+                "The number of best creatures that survive while all creatures may breed.")
         .applies = rows.elites_only;
 }
 

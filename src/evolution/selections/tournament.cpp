@@ -70,15 +70,12 @@ SurvivalRule survival_rule(const SelectionSettings& settings) {
 void add_tournament_settings(SelectionRows& rows) {
     rows.table
         .number(
-            kSize.key, "Tournament size", "creatures", {1, 100},
-            "The number of contestants of a tournament. More contestants are a stronger selection.",
-            [](ExperimentSettings & s) -> auto& { return kSize.in(s.selection.own); })
+            kSize, kSize.key, "Tournament size", "creatures", {1, 100},
+            "The number of contestants of a tournament. More contestants are a stronger selection.")
         .applies = rows.in_force;
     rows.table
-        .flag(
-            kOfAll.key, "Tournaments of all",
-            "Contestants are drawn from the complete generation instead of its survivors.",
-            [](ExperimentSettings & s) -> auto& { return kOfAll.in(s.selection.own); })
+        .flag(kOfAll, kOfAll.key, "Tournaments of all",
+              "Contestants are drawn from the complete generation instead of its survivors.")
         .applies = rows.in_force;
 }
 

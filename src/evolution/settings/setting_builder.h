@@ -6,11 +6,13 @@
 #include "core/result.h"
 #include "core/text/pretty_text.h"
 #include "evolution/settings/experiment_settings.h"
+#include "evolution/settings/kind_parameter.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -60,39 +62,48 @@ struct Range {
     double high = 0.0;
 };
 
-// Adds the fields of one table.
+// Returns the settings themselves, or their part of that type.
+template <class Part>
+Part& part_of(Settings& s) {
+    return std::get<Part&>(std::tie(s, s.world.environment, s.world.scene, s.world.trial,
+                                    s.population, s.selection, s.mutation, s.breeding, s.founders,
+                                    s.expression, s.preserve));
+}
+
+// Adds the fields of one table. The value of a field is a member of the settings or of a part of
+// them, the parameter of a selection, or what a function returns a reference to in a Settings&.
 class TableBuilder {
 public:
     TableBuilder(std::vector<SettingField>& fields, std::string table)
         : fields_(fields), table_(std::move(table)) {}
 
-    // Adds a number. `at` returns a reference to the member of a Settings&.
+    // Adds a number.
     template <class At>
-    SettingField& number(std::string key, std::string label, std::string unit, Range range,
-                         std::string help, At at) {
-        return append(std::move(key), std::move(label), std::move(unit), range, std::move(help),
-                      at);
+    SettingField& number(At at, std::string key, std::string label, std::string unit, Range range,
+                         std::string help) {
+        return append(at, std::move(key), std::move(label), std::move(unit), range,
+                      std::move(help));
     }
     template <class At>
-    SettingField& flag(std::string key, std::string label, std::string help, At at) {
-        return append(std::move(key), std::move(label), "", Range{0.0, 1.0}, std::move(help), at);
+    SettingField& flag(At at, std::string key, std::string label, std::string help) {
+        return append(at, std::move(key), std::move(label), "", Range{0.0, 1.0}, std::move(help));
     }
     template <class At>
-    SettingField& choice(std::string key, std::string label, std::vector<std::string> choices,
-                         std::string help, At at) {
+    SettingField& choice(At at, std::string key, std::string label,
+                         std::vector<std::string> choices, std::string help) {
         SettingField& field =
-            append(std::move(key), std::move(label), "", Range{}, std::move(help), at);
+            append(at, std::move(key), std::move(label), "", Range{}, std::move(help));
         field.choices = std::move(choices);
         for (const std::string& choice : field.choices)
             field.choice_labels.push_back(label_of(choice));
         return field;
     }
     // Adds a choice among kinds, each of which has an id and a label.
-    template <class Kinds, class At>
-    SettingField& kind_choice(std::string key, std::string label, const Kinds& kinds,
-                              std::string help, At at) {
+    template <class At, class Kinds>
+    SettingField& kind_choice(At at, std::string key, std::string label, const Kinds& kinds,
+                              std::string help) {
         SettingField& field =
-            append(std::move(key), std::move(label), "", Range{}, std::move(help), at);
+            append(at, std::move(key), std::move(label), "", Range{}, std::move(help));
         for (const auto& kind : kinds) {
             field.choices.push_back(kind.id);
             field.choice_labels.push_back(kind.label);
@@ -107,9 +118,24 @@ private:
         return capitalized(std::move(id));
     }
 
+    template <class Part, class Value>
+    static auto place(Value Part::*member) {
+        return
+            [member](Settings& settings) { return SettingRef(&(part_of<Part>(settings).*member)); };
+    }
+    template <class Value>
+    static auto place(KindParameter<Value> parameter) {
+        return [parameter](Settings& settings) {
+            return SettingRef(&parameter.in(settings.selection.own));
+        };
+    }
     template <class At>
-    SettingField& append(std::string key, std::string label, std::string unit, Range range,
-                         std::string help, At at) {
+    static auto place(At at) {
+        return [at](Settings& settings) { return SettingRef(&at(settings)); };
+    }
+    template <class At>
+    SettingField& append(At at, std::string key, std::string label, std::string unit, Range range,
+                         std::string help) {
         SettingField field;
         field.table = table_;
         field.key = std::move(key);
@@ -118,7 +144,7 @@ private:
         field.help = std::move(help);
         field.low = range.low;
         field.high = range.high;
-        field.at = [at](Settings& settings) { return SettingRef(&at(settings)); };
+        field.at = place(at);
         fields_.push_back(std::move(field));
         return fields_.back();
     }
