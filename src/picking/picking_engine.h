@@ -23,8 +23,7 @@ public:
     PickingEngine(const PickingEngine&) = delete;
     PickingEngine& operator=(const PickingEngine&) = delete;
 
-    // Returns false if the inbox is full; the caller must try again in the next frame.
-    bool send(PickingCommand command) { return inbox_.send(std::move(command)); }
+    void send(PickingCommand command) { inbox_.send(std::move(command)); }
     // Returns the newest snapshot; never null.
     const std::shared_ptr<const PickingSnapshot>& latest() { return snapshots_.latest(); }
     const EvaluationProgress& progress() const { return progress_; }
@@ -35,7 +34,7 @@ private:
     void publish();
 
     std::unique_ptr<EvaluationBackend> backend_;
-    WorkerInbox<PickingCommand, 256> inbox_;
+    WorkerInbox<PickingCommand> inbox_;
     SnapshotChannel<PickingSnapshot> snapshots_;
     EvaluationProgress progress_;
     PickingSession session_;  // used by the thread only

@@ -47,11 +47,11 @@ TEST_CASE("the picking engine publishes the first grid and breeds the next one a
     PickingEngine engine(default_settings(), kinds(), std::make_unique<BodyBackend>());
     REQUIRE(engine.latest());
     CHECK(engine.latest()->tree.empty());
-    REQUIRE(engine.send(StartFromCreatures{{test::hopper()}}));
+    engine.send(StartFromCreatures{{test::hopper()}});
     wait_for_grids(engine, 1);
-    REQUIRE(engine.send(TogglePick{0, 4}));
+    engine.send(TogglePick{0, 4});
     wait_for(engine, [](const PickingSnapshot& shown) { return shown.children_ready; });
-    REQUIRE(engine.send(BreedPicks{}));
+    engine.send(BreedPicks{});
     const auto bred = wait_for_grids(engine, 2);
     CHECK(bred->status == PickingStatus::kOpen);
 }

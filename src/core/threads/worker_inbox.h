@@ -1,12 +1,10 @@
 #pragma once
 
-// The inbox of a worker thread that sleeps while it has no work, and that a command interrupts.
-// There is one sending thread and one worker thread.
-
-#include "core/threads/command_queue.h"
+// The inbox of a worker thread that sleeps while it has no work, and that a command interrupts. It
+// holds any number of commands; its lock is only ever held for the time of a push or a pop.
 
 #include <condition_variable>
-#include <cstddef>
+#include <deque>
 #include <mutex>
 #include <optional>
 #include <stop_token>
@@ -14,32 +12,24 @@
 
 namespace cambrian {
 
-template <class Command, std::size_t Capacity>
+template <class Command>
 class WorkerInbox {
 public:
-    // May be called by the sender only. Returns false if the inbox is full; the command is then
-    // unchanged.
-    bool send(Command&& command) {
-        if (!queue_.push(std::move(command))) return false;
+    void send(Command command) {
         {
             const std::lock_guard lock(mutex_);
-            waiting_ = true;
+            commands_.push_back(std::move(command));
             interruption_.request_stop();
         }
         wake_.notify_one();
-        return true;
     }
 
-    // May be called by the worker only. Calls `apply` for every command sent so far; returns
-    // whether there were any.
+    // May be called by the worker only. Takes out and applies all commands, also those that arrive
+    // meanwhile; returns whether there were any.
     template <class Apply>
     bool drain(Apply apply) {
-        {
-            const std::lock_guard lock(mutex_);
-            waiting_ = false;
-        }
         bool any = false;
-        while (std::optional<Command> command = queue_.pop()) {
+        while (std::optional<Command> command = pop()) {
             apply(*std::move(command));
             any = true;
         }
@@ -53,7 +43,7 @@ public:
         std::stop_token token;
         {
             const std::lock_guard lock(mutex_);
-            if (waiting_) return;
+            if (!commands_.empty()) return;
             interruption_ = std::stop_source();
             token = interruption_.get_token();
         }
@@ -67,16 +57,22 @@ public:
     // May be called by the worker only. Sleeps until a command arrives or a stop is requested.
     void wait(std::stop_token stop) {
         std::unique_lock lock(mutex_);
-        wake_.wait(lock, std::move(stop), [this] { return waiting_; });
+        wake_.wait(lock, std::move(stop), [this] { return !commands_.empty(); });
     }
 
 private:
-    CommandQueue<Command, Capacity> queue_;
-    // The mutex is used to sleep and to interrupt; the queue itself needs no lock.
-    std::mutex mutex_;
+    std::optional<Command> pop() {
+        const std::lock_guard lock(mutex_);
+        if (commands_.empty()) return std::nullopt;
+        std::optional<Command> first = std::move(commands_.front());
+        commands_.pop_front();
+        return first;
+    }
+
+    std::mutex mutex_;  // guards the members below
     std::condition_variable_any wake_;
-    bool waiting_ = false;           // guarded by mutex_
-    std::stop_source interruption_;  // guarded by mutex_
+    std::deque<Command> commands_;
+    std::stop_source interruption_;
 };
 
 }  // namespace cambrian

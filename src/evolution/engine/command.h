@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/threads/worker_inbox.h"
 #include "evolution/settings/experiment_settings.h"
 #include "genome/genome.h"
 
@@ -52,6 +51,5 @@ struct UseBackend {
 using EngineCommand =
     std::variant<PauseEvolution, ResumeEvolution, StepGeneration, ChangeSettings, InjectGenome,
                  AddImmigrants, RescorePopulation, StartExperiment, ContinueExperiment, UseBackend>;
-using EngineInbox = WorkerInbox<EngineCommand, 256>;
 
 }  // namespace cambrian

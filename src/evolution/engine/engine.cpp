@@ -24,15 +24,6 @@ EvolutionEngine::~EvolutionEngine() {
     thread_.join();
 }
 
-bool EvolutionEngine::send(EngineCommand command) {
-    // Commands act between trials: a running batch is interrupted and continues afterwards.
-    return inbox_.send(std::move(command));
-}
-
-const std::shared_ptr<const EvolutionSnapshot>& EvolutionEngine::latest() {
-    return snapshots_.latest();
-}
-
 void EvolutionEngine::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         const bool commanded = inbox_.drain([this](EngineCommand command) {

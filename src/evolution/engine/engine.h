@@ -6,6 +6,7 @@
 
 #include "core/stopwatch.h"
 #include "core/threads/snapshot_channel.h"
+#include "core/threads/worker_inbox.h"
 #include "evolution/engine/command.h"
 #include "evolution/engine/experiment_log.h"
 #include "evolution/engine/snapshot.h"
@@ -17,6 +18,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace cambrian {
@@ -32,10 +34,10 @@ public:
     EvolutionEngine(const EvolutionEngine&) = delete;
     EvolutionEngine& operator=(const EvolutionEngine&) = delete;
 
-    // Returns false if the inbox is full; the caller must try again in the next frame.
-    bool send(EngineCommand command);
+    // Commands act between trials: a running batch is interrupted and continues afterwards.
+    void send(EngineCommand command) { inbox_.send(std::move(command)); }
     // Returns the newest snapshot; never null.
-    const std::shared_ptr<const EvolutionSnapshot>& latest();
+    const std::shared_ptr<const EvolutionSnapshot>& latest() { return snapshots_.latest(); }
     const EvaluationProgress& progress() const { return progress_; }
 
 private:
@@ -61,7 +63,7 @@ private:
     void publish();
 
     const EvolutionKinds& kinds_;
-    EngineInbox inbox_;
+    WorkerInbox<EngineCommand> inbox_;
     SnapshotChannel<EvolutionSnapshot> snapshots_;
     EvaluationProgress progress_;
 

@@ -41,8 +41,7 @@ public:
     PreserveEngine(const PreserveEngine&) = delete;
     PreserveEngine& operator=(const PreserveEngine&) = delete;
 
-    // Returns false if the inbox is full; the caller must try again in the next frame.
-    bool send(PreserveCommand command) { return inbox_.send(std::move(command)); }
+    void send(PreserveCommand command) { inbox_.send(std::move(command)); }
     // Returns the newest picture; never null.
     const std::shared_ptr<const PreservePicture>& latest() { return pictures_.latest(); }
 
@@ -67,7 +66,7 @@ private:
     void apply(WatchBrain command);
     void publish();
 
-    WorkerInbox<PreserveCommand, 256> inbox_;
+    WorkerInbox<PreserveCommand> inbox_;
     SnapshotChannel<PreservePicture> pictures_;
 
     // The following members are used by the thread only.

@@ -1,18 +1,17 @@
 #pragma once
 
-// One thread for tasks that may take long or use the disk. The window's thread never waits for it:
-// jobs and their completions pass through lock-free queues.
+// One thread for tasks that may take long or use the disk. The window's thread never waits for it.
 
-#include "core/threads/command_queue.h"
+#include "core/threads/worker_inbox.h"
 
-#include <deque>
 #include <functional>
-#include <semaphore>
 #include <stop_token>
 #include <thread>
+#include <utility>
 
 namespace cambrian {
 
+// Destruction finishes every submitted job. Their stop tokens are set, so that long jobs end early.
 class BackgroundWorker {
 public:
     // A completion runs on the window's thread, in deliver().
@@ -20,29 +19,35 @@ public:
     // A job runs on the worker's thread and shares no mutable data with the window.
     using Job = std::function<Completion(std::stop_token)>;
 
-    BackgroundWorker();
-    // The destructor finishes every submitted job. Their stop tokens are set, so that long jobs end
-    // early.
-    ~BackgroundWorker();
-    BackgroundWorker(const BackgroundWorker&) = delete;
-    BackgroundWorker& operator=(const BackgroundWorker&) = delete;
-
     // Jobs run one at a time, in the order of submission.
-    void submit(Job job);
+    void submit(Job job) {
+        ++unfinished_;
+        jobs_.send(std::move(job));
+    }
     // Runs the completions of finished jobs.
-    void deliver();
+    void deliver() {
+        completions_.drain([this](const Completion& completion) {
+            --unfinished_;
+            if (completion) completion();
+        });
+    }
     bool idle() const { return unfinished_ == 0; }
 
 private:
-    void run(const std::stop_token& stop);
-    void send_waiting();
+    void run(const std::stop_token& stop) {
+        bool last = false;
+        while (!last) {
+            last = stop.stop_requested();
+            jobs_.drain([&](const Job& job) { completions_.send(job(stop)); });
+            jobs_.wait(stop);
+        }
+    }
 
-    std::deque<Job> waiting_;  // window's thread only; jobs that did not fit into the queue
-    int unfinished_ = 0;       // window's thread only; submitted and not yet delivered
-    CommandQueue<Job, 64> jobs_;
-    CommandQueue<Completion, 64> completions_;
-    std::counting_semaphore<> available_{0};
-    std::jthread thread_;  // last member, so that it is joined before the others are destroyed
+    int unfinished_ = 0;  // window's thread only; submitted and not yet delivered
+    WorkerInbox<Job> jobs_;
+    WorkerInbox<Completion> completions_;
+    // Last member, so that it is joined before the others are destroyed.
+    std::jthread thread_{[this](const std::stop_token& stop) { run(stop); }};
 };
 
 }  // namespace cambrian

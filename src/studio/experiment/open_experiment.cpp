@@ -32,16 +32,8 @@ OpenExperiment::OpenExperiment(ExperimentSettings settings, const EvolutionKinds
       snapshot_(engine_.latest()) {}
 
 void OpenExperiment::poll() {
-    while (!unsent_.empty() && engine_.send(unsent_.front()))
-        unsent_.pop_front();
     snapshot_ = engine_.latest();
     measure();
-}
-
-void OpenExperiment::send(EngineCommand command) {
-    unsent_.push_back(std::move(command));
-    while (!unsent_.empty() && engine_.send(unsent_.front()))
-        unsent_.pop_front();
 }
 
 bool OpenExperiment::fresh() const {

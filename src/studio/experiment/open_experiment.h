@@ -9,10 +9,10 @@
 #include "studio/experiment/settings_editor.h"
 
 #include <cstdint>
-#include <deque>
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace cambrian {
@@ -39,7 +39,7 @@ public:
     // The number of runs that the user began so far.
     unsigned runs_begun() const { return runs_begun_; }
 
-    // Must be called once a frame: sends the waiting commands and measures progress.
+    // Must be called once a frame: takes the newest snapshot and measures progress.
     void poll();
     const EvolutionSnapshot& snapshot() const { return *snapshot_; }
     const ProgressView& progress() const { return progress_; }
@@ -51,7 +51,7 @@ public:
     bool fresh() const;
 
     // Sends a command to the engine, as soon as its inbox has room.
-    void send(EngineCommand command);
+    void send(EngineCommand command) { engine_.send(std::move(command)); }
     // Sends the draft to the engine: all settings while fresh(), otherwise the live ones only.
     // Edits that make it contradict itself are taken back, and the error says why.
     Status commit();
@@ -73,7 +73,6 @@ private:
     unsigned runs_begun_ = 0;
     std::uint64_t run_seed_;  // of the present run
     EvolutionEngine engine_;
-    std::deque<EngineCommand> unsent_;  // commands that did not fit into the engine's inbox
     std::shared_ptr<const EvolutionSnapshot> snapshot_;
     ProgressView progress_;
     // The creatures evaluated at the last reading of the rate, and the generation it was in.

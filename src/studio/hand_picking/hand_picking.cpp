@@ -53,16 +53,6 @@ void HandPicking::restore(PickingRecord record) {
     send(RestoreGrids{std::move(present.tree), std::move(present.picks), std::move(present.shelf)});
 }
 
-void HandPicking::send(PickingCommand command) {
-    unsent_.push_back(std::move(command));
-    send_waiting();
-}
-
-void HandPicking::send_waiting() {
-    while (!unsent_.empty() && engine_->send(unsent_.front()))
-        unsent_.pop_front();
-}
-
 void HandPicking::use(const SettingsPtr& settings) {
     if (!on_ || settings == used_) return;
     used_ = settings;
@@ -71,7 +61,6 @@ void HandPicking::use(const SettingsPtr& settings) {
 
 void HandPicking::update(double elapsed, StatusLog& log) {
     if (!on_) return;
-    send_waiting();
     snapshot_ = engine_->latest();
     if (snapshot_ != seen_) {
         follow_grid(log);

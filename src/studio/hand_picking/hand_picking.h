@@ -15,7 +15,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -40,7 +39,7 @@ public:
     // Whether the viewport displays the grid rather than one of its creatures.
     bool grid_shown() const { return on_ && !choices_.single; }
 
-    void send(PickingCommand command);
+    void send(PickingCommand command) { engine_->send(std::move(command)); }
     // Changes the settings with which creatures are evaluated from now on.
     void use(const SettingsPtr& settings);
     // Must be called once a frame: reads the picking engine's latest snapshot, writes its news to
@@ -68,12 +67,10 @@ public:
 private:
     void follow_grid(StatusLog& log);
     void follow_picks(StatusLog& log);
-    void send_waiting();
 
     const EvolutionKinds& kinds_;
     ThreadShare threads_;
     std::unique_ptr<PickingEngine> engine_;  // null before the first enter()
-    std::deque<PickingCommand> unsent_;      // commands that did not fit into the engine's inbox
     std::shared_ptr<const PickingSnapshot> snapshot_;
     SettingsPtr used_;  // the settings sent to the picking engine last
     std::optional<PickingRecord> restored_;

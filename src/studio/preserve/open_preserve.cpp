@@ -16,18 +16,7 @@ OpenPreserve::OpenPreserve(OpenedWorld opened, const ThreadShare& threads)
       engine_(std::move(opened.start), threads),
       picture_(engine_.latest()) {}
 
-void OpenPreserve::send(PreserveCommand command) {
-    unsent_.push_back(std::move(command));
-    send_waiting();
-}
-
-void OpenPreserve::send_waiting() {
-    while (!unsent_.empty() && engine_.send(unsent_.front()))
-        unsent_.pop_front();
-}
-
 void OpenPreserve::update(Feedback& feedback) {
-    send_waiting();
     const auto before = std::exchange(picture_, engine_.latest());
     if (before == picture_) return;
     if (before->failure != picture_->failure && !picture_->failure.empty()) {

@@ -7,10 +7,10 @@
 #include "studio/preserve/opened_world.h"
 
 #include <cstdint>
-#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace cambrian {
 
@@ -19,7 +19,7 @@ public:
     OpenPreserve(OpenedWorld opened, const ThreadShare& threads);
 
     // Sends a command to the thread, as soon as its inbox has room.
-    void send(PreserveCommand command);
+    void send(PreserveCommand command) { engine_.send(std::move(command)); }
     // Must be called once a frame: reads the newest picture and writes its news to the log.
     void update(Feedback& feedback);
 
@@ -33,7 +33,6 @@ public:
     const ResidentPicture* picked() const { return picked_ ? &*picked_ : nullptr; }
 
 private:
-    void send_waiting();
     void follow_picked(Feedback& feedback);
     void tell_news(Feedback& feedback);
     void log_state(Feedback& feedback);
@@ -41,7 +40,6 @@ private:
     SettingsPtr settings_;
     std::filesystem::path file_;
     PreserveEngine engine_;
-    std::deque<PreserveCommand> unsent_;  // commands that did not fit into the inbox
     std::shared_ptr<const PreservePicture> picture_;
     std::optional<ResidentPicture> picked_;
     std::uint64_t told_ = 0;  // news of this id and before are told
