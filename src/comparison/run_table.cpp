@@ -49,20 +49,6 @@ std::string header() {
     return text + kCurve;
 }
 
-bool read_cell(std::string_view cell, std::string& text) {
-    text = text_of_csv_cell(cell);
-    return true;
-}
-template <class Number>
-bool read_cell(std::string_view cell, Number& number) {
-    const auto read = parsed_number<Number>(cell);
-    number = read.value_or(number);
-    return read.has_value();
-}
-bool read_cell(std::string_view /*cell*/, bool& /*flag*/) {
-    return false;  // no column is a flag
-}
-
 // Returns the text before the separator and removes both from `text`.
 std::string_view take(std::string_view& text, char separator) {
     const std::size_t end = std::min(text.find(separator), text.size());
@@ -82,13 +68,7 @@ bool read_curve(std::string_view text, std::vector<CurvePoint>& curve) {
 }
 
 bool read_row(std::string_view line, Row& row) {
-    for (const Column<Row>& column : kColumns) {
-        if (line.empty()) return false;
-        const std::string_view cell = take_csv_cell(line);
-        if (!std::visit([&](auto field) { return read_cell(cell, row.*field); }, column.field))
-            return false;
-    }
-    return read_curve(line, row.curve);
+    return take_cells<Row>(line, kColumns, row) && read_curve(line, row.curve);
 }
 
 }  // namespace

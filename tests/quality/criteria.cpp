@@ -132,7 +132,7 @@ Criterion spreads(const std::vector<RunResult>& runs, const char* what,
 std::vector<RunResult> of_plan(const std::vector<RunResult>& runs, std::string_view plan) {
     std::vector<RunResult> some;
     std::copy_if(runs.begin(), runs.end(), std::back_inserter(some),
-                 [&](const RunResult& run) { return run.spec.plan == plan; });
+                 [&](const RunResult& run) { return run.plan == plan; });
     return some;
 }
 
@@ -142,10 +142,10 @@ std::vector<RunResult> runs_of(const std::vector<RunResult>& runs, std::string_v
                                std::string_view goal, std::string_view arm) {
     std::vector<RunResult> some;
     std::copy_if(runs.begin(), runs.end(), std::back_inserter(some), [&](const RunResult& run) {
-        return run.spec.plan == plan && run.spec.goal == goal && run.spec.arm == arm;
+        return run.plan == plan && run.goal == goal && run.arm == arm;
     });
     std::sort(some.begin(), some.end(),
-              [](const RunResult& a, const RunResult& b) { return a.spec.seed < b.spec.seed; });
+              [](const RunResult& a, const RunResult& b) { return a.seed < b.seed; });
     return some;
 }
 

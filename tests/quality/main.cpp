@@ -46,7 +46,7 @@ std::vector<RunSpec> still_to_run(const std::string& plan, const std::vector<Run
     std::vector<RunSpec> runs = plan_of(plan);
     const auto is_done = [&](const RunSpec& run) {
         return std::any_of(done.begin(), done.end(),
-                           [&](const RunResult& result) { return same_run(result.spec, run); });
+                           [&](const RunResult& result) { return same_run(result, run); });
     };
     runs.erase(std::remove_if(runs.begin(), runs.end(), is_done), runs.end());
     return runs;
@@ -63,10 +63,10 @@ public:
         const std::lock_guard<std::mutex> lock(mutex_);
         runs_ << run_line(result) << std::flush;
         curves_ << curve_lines(result) << std::flush;
-        std::printf("%s %s %s seed %llu: %g after %d evaluations, %.0f s\n",
-                    result.spec.plan.c_str(), result.spec.goal.c_str(), result.spec.arm.c_str(),
-                    static_cast<unsigned long long>(result.spec.seed), result.best,
-                    result.evaluations, result.seconds);
+        std::printf("%s %s %s seed %llu: %g after %d evaluations, %.0f s\n", result.plan.c_str(),
+                    result.goal.c_str(), result.arm.c_str(),
+                    static_cast<unsigned long long>(result.seed), result.best, result.evaluations,
+                    result.seconds);
         std::fflush(stdout);
         return runs_.good() && curves_.good();
     }

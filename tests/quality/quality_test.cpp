@@ -20,7 +20,7 @@ namespace {
 
 RunResult run_with(const char* goal, std::string_view arm, std::uint64_t seed, double best) {
     RunResult run;
-    run.spec = {
+    static_cast<RunSpec&>(run) = {
         .plan = "standard", .goal = goal, .arm = std::string(arm), .seed = seed, .budget = 3000};
     run.best = run.final_best = run.finer = best;
     run.late_travel = 1.0;
@@ -53,8 +53,8 @@ TEST_CASE("runs are written and read, and a torn line is not", "[quality]") {
     REQUIRE(read);
     REQUIRE(read->size() == 1);
     const RunResult& back = read->front();
-    CHECK(back.spec.goal == "walking");
-    CHECK(back.spec.seed == 7);
+    CHECK(back.goal == "walking");
+    CHECK(back.seed == 7);
     CHECK(back.best == run.best);
     CHECK(back.digest == run.digest);
     CHECK(back.clean);

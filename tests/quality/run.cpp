@@ -40,7 +40,7 @@ Result<SettingsPtr> settings_of(const RunSpec& spec, const EvolutionKinds& kinds
 // Collects measurements of an evolution after each generation.
 class Observer {
 public:
-    explicit Observer(const RunSpec& spec) { result_.spec = spec; }
+    explicit Observer(const RunSpec& spec) { static_cast<RunSpec&>(result_) = spec; }
 
     void see(const Evolution& evolution) {
         const GenerationStatistics& statistics = evolution.history().back();
@@ -50,7 +50,7 @@ public:
         result_.decreased = result_.decreased || statistics.best < result_.final_best;
         result_.final_best = statistics.best;
         if (!budget_used_) result_.best = statistics.best;
-        budget_used_ = result_.evaluations >= result_.spec.budget;
+        budget_used_ = result_.evaluations >= result_.budget;
         result_.curve.push_back({result_.evaluations, statistics.best});
         hash_.add(statistics.best);
         hash_.add(statistics.mean);
@@ -58,7 +58,7 @@ public:
     }
 
     bool done() const {
-        const RunSpec& spec = result_.spec;
+        const RunSpec& spec = result_;
         if (result_.generations >= std::max(spec.most_generations, spec.least_generations))
             return true;
         return budget_used_ && result_.generations >= spec.least_generations;

@@ -39,8 +39,7 @@ struct Offspring {
     int improved = 0;
 };
 
-struct RunResult {
-    RunSpec spec;
+struct RunResult : RunSpec {
     double best = 0.0;        // best fitness when the budget was used up
     double final_best = 0.0;  // best fitness at the end
     int evaluations = 0;
