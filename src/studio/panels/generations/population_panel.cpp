@@ -269,7 +269,10 @@ void PopulationPanel::draw_content(const Tile& tile, const Rect& area, const Fra
         draw_creature_tile(list, body, *phenotype, individual.genome->hue, individual.line);
     const std::string place =
         tile.rank > 0 ? std::to_string(tile.rank) : fmt::format("gen {}", tile.creature.generation);
-    small_words(place, {area.x + px(6), area.y + px(3)}, colors().muted);
+    const WithFont font(ui().fonts.small);
+    const std::string named = fmt::format("{} {}", place, creature_name(*individual.genome));
+    small_words(fit_text(named, area.width - px(kStarRoom + 6)), {area.x + px(6), area.y + px(3)},
+                colors().muted);
     draw_star(star_of(area), tile.starred, hovered);
     const bool valid = !disqualified(individual);
     const std::string score = tile_score(individual.result);

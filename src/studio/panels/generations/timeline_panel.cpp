@@ -2,6 +2,7 @@
 
 #include "core/text/pretty_text.h"
 #include "core/text/shown_score.h"
+#include "genome/creature_name.h"
 #include "studio/actions/action_menu.h"
 #include "studio/frame/change_view.h"
 #include "studio/frame/help_mark.h"
@@ -251,6 +252,10 @@ void TimelinePanel::follow_mouse(const PlotScale& scale, const FrameContext& fra
     const std::string goal = goal_in(frame.experiment.snapshot, history[row].generation);
     std::string text = reading(history[row], goal_unit(goal, frame.kinds.goals)) +
                        wall_time_words(frame.experiment.snapshot, row);
+    for (const JudgedIndividual& champion : frame.experiment.snapshot.champions) {
+        if (champion.generation == history[row].generation)
+            text += "\nChampion: " + creature_name(champion.genome());
+    }
     const std::string change = change_near(frame, scale, pixel);
     if (!change.empty()) text += "\n\n" + change;
     tooltip(text + "\n\nClick or drag to watch champions; Left and Right step through them.");
