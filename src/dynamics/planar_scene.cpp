@@ -133,7 +133,7 @@ public:
     bool begin_at(const SceneMotion& motion) override;
     double energy() const override {
         return mechanical_energy(body().model, body().forcing.medium, body().state.motion,
-                                 body().state.cache().kinematics);
+                                 kinetic_energy());
     }
     const SceneAudit& audit() const override { return body().state.audit; }
     void restart_audit() override {
@@ -566,7 +566,7 @@ bool PlanarScene::begin_at(const SceneMotion& motion) {
 // Mechanical energy of the motion with another environment's density and gravity.
 double PlanarScene::energy_under(const Environment& environment) const {
     const double here = mechanical_energy(body().model, medium_of(environment), body().state.motion,
-                                          body().state.cache().kinematics);
+                                          kinetic_energy());
     return here * (environment.density / body().model.density);
 }
 

@@ -57,7 +57,8 @@ bool Rig::run(double duration) {
 }
 
 double Rig::energy() const {
-    return mechanical_energy(model, forcing.medium, state.motion, state.cache().kinematics);
+    return mechanical_energy(model, forcing.medium, state.motion,
+                             kinetic_energy(model, state.cache().kinematics));
 }
 
 double Rig::angular_momentum() const {

@@ -153,13 +153,22 @@ int ContactSolver::count_looks(const PlanarModel& model, const ContactLaw& law,
                                const Kinematics& from, const Kinematics& to) {
     const bool has_pairs = !model.colliding_pairs.empty() && !pair_list_.is_empty();
     if (law.fixed.empty() && !has_pairs) return 1;
-    for (PartPlaces& places : places_)
-        use_sizes(model, places);
     const BoxEnds ends{model, places_[1 - latest_], places_[latest_]};
+    if (model.stretch_count > 0 || !has_sides_) {
+        use_sizes(model, places_[0]);
+        use_sizes(model, places_[1]);
+        find_sides(ends, sides_);
+        has_sides_ = true;
+    }
     BoxTravels travels;
     find_travels(ends, from.angle, to.angle, travels);
-    double looks = has_pairs ? pair_list_.count_looks(ends, travels) : 1.0;
-    if (!law.fixed.empty()) looks = std::max(looks, count_looks_at_fixed(ends, travels, law.fixed));
+    const bool may_pass = has_pairs && travels.most_past > sides_.thinnest;
+    if (!may_pass && law.fixed.empty()) return 1;
+    use_sizes(model, places_[0]);
+    use_sizes(model, places_[1]);
+    double looks = may_pass ? pair_list_.count_looks(ends, travels, sides_) : 1.0;
+    if (!law.fixed.empty())
+        looks = std::max(looks, count_looks_at_fixed(ends, travels, sides_, law.fixed));
     return static_cast<int>(std::ceil(std::min(looks, kMostLooks + 1.0)));
 }
 

@@ -54,7 +54,11 @@ public:
     // them; 1 if they cannot within the whole. Not more than kMostLooks + 1.
     int count_looks(const PlanarModel& model, const ContactLaw& law, const Kinematics& from,
                     const Kinematics& to);
-    void forget_model() { pair_list_.forget(); }  // before another one
+    // Before another one.
+    void forget_model() {
+        pair_list_.forget();
+        has_sides_ = false;
+    }
 
     // Whether a touching contact closes faster than kRestingSpeed.
     bool has_impact() const;
@@ -120,6 +124,8 @@ private:
     PairList pair_list_;
     PartPlaces places_[2];  // of the last two detections
     int latest_ = 0;        // of them
+    BoxSides sides_;        // of the model, or at the last two detections if it deforms
+    bool has_sides_ = false;
     ContactSet near_;
     ContactSet selected_;
     LimitSet limits_;

@@ -109,7 +109,7 @@ void detect_fixed_contacts(const PlanarModel& model, const Kinematics& k, const 
     }
 }
 
-double count_looks_at_fixed(const BoxEnds& ends, const BoxTravels& travels,
+double count_looks_at_fixed(const BoxEnds& ends, const BoxTravels& travels, const BoxSides& sides,
                             std::span<const FixedBox> fixed) {
     fixed = fixed.first(std::min<std::size_t>(fixed.size(), kMostFixedBoxes));
     double thinnest = 1e9;
@@ -118,10 +118,10 @@ double count_looks_at_fixed(const BoxEnds& ends, const BoxTravels& travels,
     double looks = 1.0;
     for (int part = 0; part < ends.model.part_count; ++part) {
         const double travel = travel_of(ends, travels, part);
-        if (travel <= std::min(travels.thin[part], thinnest)) continue;
+        if (travel <= std::min(sides.thin[part], thinnest)) continue;
         const Reach reach = reach_of(ends.from, part, travel);
         for (const FixedBox& box : fixed) {
-            const double parts = travel / std::min(travels.thin[part], smaller_side(box));
+            const double parts = travel / std::min(sides.thin[part], smaller_side(box));
             if (parts <= looks || !meet(reach, box)) continue;
             if (is_within(placed_box(ends.from, part), placed_box(box), travel)) looks = parts;
         }

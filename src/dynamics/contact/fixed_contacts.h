@@ -20,6 +20,7 @@ void detect_fixed_contacts(const PlanarModel& model, const Kinematics& kinematic
 // fixed one moves farther than the smaller side of either in one of them. The result is not whole,
 // and at least 1.
 [[gnu::noinline]] double count_looks_at_fixed(const BoxEnds& ends, const BoxTravels& travels,
+                                              const BoxSides& sides,
                                               std::span<const FixedBox> fixed);
 
 }  // namespace cambrian

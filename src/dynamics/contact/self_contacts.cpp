@@ -14,6 +14,7 @@ static_assert(kMostPairs <= UINT16_MAX && kMaxParts <= UINT8_MAX + 1, "groups ha
 static_assert(kMaxParts % kLanes == 0, "four boxes are loaded at once");
 
 constexpr double kSpare = 0.25;  // m, enlargement of the bounding circles
+constexpr double kBelowRounding = 1.0 - 1e-9;
 
 // One box with the four others of a group.
 struct BoxAndFour {
@@ -183,23 +184,28 @@ void PairList::add_contacts(const PlanarModel& model, const Kinematics& kinemati
     }
 }
 
-// Boxes that are not in the list are too far apart to meet between two detections with one list.
-double PairList::count_looks(const BoxEnds& ends, const BoxTravels& travels) const {
+// Boxes that are not in the list are too far apart to meet between two detections with one list. By
+// the triangle inequality no pair moves farther than both of its boxes beside box 0, but for
+// rounding.
+double PairList::count_looks(const BoxEnds& ends, const BoxTravels& travels,
+                             const BoxSides& sides) const {
     const Group* groups = was_rebuilt_ ? groups_ : listed_;
     const int count = was_rebuilt_ ? group_count_ : listed_count_;
+    const Simd4d least = all_lanes(kBelowRounding * sides.thinnest);
     double looks = 1.0;
-    if (travels.most_past <= travels.thinnest) return looks;
     for (int g = 0; g < count; ++g) {
         const int first = groups[g].first;
         const int second = groups[g].second;
-        const Simd4d thin =
-            lesser(all_lanes(travels.thin[first]), load_lanes(travels.thin + second));
+        unsigned fast =
+            (was_rebuilt_ ? groups[g].lanes : groups[g].near) &
+            true_lanes(travels.beside[first] + load_lanes(travels.beside + second) > least);
+        if (fast == 0) continue;
+        const Simd4d thin = lesser(all_lanes(sides.thin[first]), load_lanes(sides.thin + second));
         const Simd4dVector before = from_center(ends.from, first, second);
         const Simd4dVector after = from_center(ends.to, first, second);
         Simd4d travel = most_length(after.x - before.x, after.y - before.y) +
                         (travels.swing[first] + load_lanes(travels.swing + second));
-        unsigned fast =
-            (was_rebuilt_ ? groups[g].lanes : groups[g].near) & true_lanes(travel > thin);
+        fast &= true_lanes(travel > thin);
         if (fast == 0) continue;
         const Simd4d reach =
             ends.model.radius[first] + load_lanes(ends.model.radius + second) + travel;

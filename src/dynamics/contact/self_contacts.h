@@ -20,7 +20,8 @@ public:
     // Returns into how many equal parts the motion between the last two detections must be divided
     // so that no pair which might meet moves farther past each other than its smaller side in one
     // of them. The result is not whole, and at least 1.
-    double count_looks(const BoxEnds& ends, const BoxTravels& travels) const;
+    [[gnu::noinline]] double count_looks(const BoxEnds& ends, const BoxTravels& travels,
+                                         const BoxSides& sides) const;
     bool is_empty() const { return !was_rebuilt_ && listed_count_ == 0; }
     // Before the positions or the pairs of another model.
     void forget() { is_grouped_ = is_built_ = false; }

@@ -16,13 +16,19 @@ struct BoxEnds {
 
 // What each box does between the ends.
 struct BoxTravels {
-    PerPart turn;   // rad
-    PerPart swing;  // m; most that a point within the circle around it moves beside its centre
-    PerPart thin;   // m, the smaller side
+    PerPart turn;    // rad
+    PerPart swing;   // m; most that a point within the circle around it moves beside its centre
+    PerPart beside;  // m; most that such a point moves beside the centre of box 0
     double most_past = 0.0;  // m; no box moves farther past another one
-    double thinnest = 1e9;   // m, the smallest side of all boxes
 };
 
+// The smaller side of each box, m.
+struct BoxSides {
+    PerPart thin;
+    double thinnest = 0.0;
+};
+
+void find_sides(const BoxEnds& ends, BoxSides& sides);
 void find_travels(const BoxEnds& ends, const PerBody& from_angle, const PerBody& to_angle,
                   BoxTravels& travels);
 

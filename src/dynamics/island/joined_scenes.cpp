@@ -235,6 +235,7 @@ void JoinedBodies::spread(double duration, SceneBody& member, std::size_t index)
     evaluate_accelerations(member.model, member.forcing, own.motion, {.tick_share = 1.0},
                            own.cache(), own.free_rate);
     own.cache_is_current = true;
+    own.energy.reset();
     give_audit(member);
     give_works(member, index);
     end_tick(member);

@@ -187,6 +187,7 @@ void visit_rest(SceneBody& body, const ChangedCounts& counts, Visitor& visitor) 
     visitor.lanes(drive.end, counts.now.bodies, counts.before.bodies);
     visit_rate(body.state.free_rate, counts, visitor);
     visitor.one(body.state.cache_is_current);
+    visitor.one(body.state.energy);
     visit_cache(body.state.cache(), counts, visitor);
 }
 

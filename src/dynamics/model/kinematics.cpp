@@ -230,11 +230,8 @@ double kinetic_energy(const PlanarModel& model, const Kinematics& k) {
     if (model.stretch_count > 0) return stretched_kinetic_energy(model, k);
     Simd4d energy = {};
     for (int i = 0; i < model.body_count; i += kLanes) {
-        const Simd4d velocity_x = load_lanes(k.velocity_x + i);
-        const Simd4d velocity_y = load_lanes(k.velocity_y + i);
-        const Simd4d spin = load_lanes(k.spin + i);
-        energy += load_lanes(model.mass + i) * (velocity_x * velocity_x + velocity_y * velocity_y) +
-                  load_lanes(model.inertia + i) * (spin * spin);
+        energy += doubled_energies(model, load_lanes(k.velocity_x + i),
+                                   load_lanes(k.velocity_y + i), load_lanes(k.spin + i), i);
     }
     CAMBRIAN_TICK_ASSERT(!(sum_of(energy) < 0.0), "a kinetic energy is not negative");
     return 0.5 * sum_of(energy);

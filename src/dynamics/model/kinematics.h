@@ -49,5 +49,11 @@ void spread_rates(const PlanarModel& model, const Kinematics& place, const PerCo
 double limit_overrun(const PlanarModel& model, const Kinematics& kinematics);
 
 double kinetic_energy(const PlanarModel& model, const Kinematics& kinematics);  // J
+// Returns twice the kinetic energies of four rigid bodies at these rates.
+CAMBRIAN_INLINE Simd4d doubled_energies(const PlanarModel& model, const Simd4d& velocity_x,
+                                        const Simd4d& velocity_y, const Simd4d& spin, int first) {
+    return load_lanes(model.mass + first) * (velocity_x * velocity_x + velocity_y * velocity_y) +
+           load_lanes(model.inertia + first) * (spin * spin);
+}
 
 }  // namespace cambrian

@@ -14,13 +14,20 @@ constexpr double kScaleHeight = 0.01;  // m
 }  // namespace
 
 double mechanical_energy(const PlanarModel& model, const Medium& medium, const Motion& motion,
-                         const Kinematics& kinematics) {
-    double energy = kinetic_energy(model, kinematics);
+                         double kinetic) {
+    double energy = kinetic;
     for (int t = 0; t < model.tree_count; ++t)
         energy -=
             model.tree_mass[t] * (medium.gravity_x * motion.position[center_of(model, t)] +
                                   medium.gravity_y * motion.position[center_of(model, t) + 1]);
     return energy;
+}
+
+double mechanical_energy(const PlanarModel& model, const Medium& medium, SimulationState& state) {
+    if (!state.energy)
+        state.energy = mechanical_energy(model, medium, state.motion,
+                                         kinetic_energy(model, state.cache().kinematics));
+    return *state.energy;
 }
 
 void note_speeds(const PlanarModel& model, const Kinematics& k, SceneAudit& audit) {
@@ -68,8 +75,8 @@ void update_audit(const PlanarModel& model, const Medium& medium, SimulationStat
     audit.drag_work = work[kDragWork];
     const double explained = work[kMotorWork] + work[kDragWork] + work[kPullWork] +
                              audit.contact_work + audit.limit_work + audit.impulse_work;
-    const double energy = mechanical_energy(model, medium, state.motion, state.cache().kinematics);
-    audit.energy_residual = energy - state.energy_reference - explained;
+    audit.energy_residual =
+        mechanical_energy(model, medium, state) - state.energy_reference - explained;
     const double gravity =
         std::sqrt(medium.gravity_x * medium.gravity_x + medium.gravity_y * medium.gravity_y);
     CAMBRIAN_TICK_ASSERT(!(audit.positive_work < 0.0), "what was given is not negative");
@@ -81,8 +88,8 @@ void start_audit(const PlanarModel& model, const Medium& medium, SimulationState
         work = 0.0;
     state.known_spins = 0;
     state.audit = {};
-    state.energy_reference =
-        mechanical_energy(model, medium, state.motion, state.cache().kinematics);
+    state.energy.reset();
+    state.energy_reference = mechanical_energy(model, medium, state);
     update_audit(model, medium, state);
 }
 

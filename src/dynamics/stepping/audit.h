@@ -8,7 +8,9 @@ namespace cambrian {
 
 // Kinetic and potential energy, J; the potential is 0 at the origin.
 double mechanical_energy(const PlanarModel& model, const Medium& medium, const Motion& motion,
-                         const Kinematics& kinematics);
+                         double kinetic);
+// Of the present state, whose cache must be current.
+double mechanical_energy(const PlanarModel& model, const Medium& medium, SimulationState& state);
 
 // Raises the audit's maxima to the fastest centre of a part and the fastest spin.
 void note_speeds(const PlanarModel& model, const Kinematics& kinematics, SceneAudit& audit);

@@ -304,6 +304,7 @@ void StepControl::make_current(Tick& tick) {
                     state.free_rate);
     count_evaluations(tick, 1);
     state.cache_is_current = true;
+    state.energy.reset();
 }
 
 void StepControl::count_evaluations(Tick& tick, int evaluations) {
@@ -461,6 +462,7 @@ void StepControl::check_step_end(const Tick& tick) {
     const Kinematics& end = spare_.get().kinematics;
     work_ = contacts_.held_work(tick.model, tick.state.cache().kinematics, end);
     end_overrun_ = limit_overrun(tick.model, end);
+    end_energy_.reset();
 }
 
 // Positive work of contacts and limits shows that the step is too long for constant forces. So does
@@ -478,13 +480,13 @@ bool StepControl::must_halve(const Tick& tick, double h) {
 }
 
 // Returns the energy that the attempted step adds without work, in J.
-double StepControl::unexplained_gain(const Tick& tick) const {
-    const Motion& start = tick.state.motion;
+double StepControl::unexplained_gain(const Tick& tick) {
     const Medium& medium = tick.forcing.medium;
-    double gain = mechanical_energy(tick.model, medium, result_.end, spare_.get().kinematics) -
-                  mechanical_energy(tick.model, medium, start, tick.state.cache().kinematics);
+    end_energy_ = mechanical_energy(tick.model, medium, result_.end,
+                                    kinetic_energy(tick.model, spare_.get().kinematics));
+    double gain = *end_energy_ - mechanical_energy(tick.model, medium, tick.state);
     for (const Work w : {kMotorWork, kDragWork, kPullWork})
-        gain -= result_.end.work[w] - start.work[w];
+        gain -= result_.end.work[w] - tick.state.motion.work[w];
     return gain - work_.contact - work_.limit;
 }
 
@@ -499,7 +501,7 @@ BodySet StepControl::free_trees(const Tick& tick) const {
         return 0;
     BodySet touched = 0;
     const HeldForces& held = contacts_.held();
-    for (int c = 0; c < held.contact_count; ++c) {
+    for (int c = 0; c < held.contact_count && touched != model.roots; ++c) {
         const HeldForce& force = held.contacts[c];
         if (force.force_x != 0.0 || force.force_y != 0.0) touched |= touched_trees(model, force);
     }
@@ -513,22 +515,23 @@ void StepControl::restore_spins(Tick& tick, double h) {
     const PlanarModel& model = tick.model;
     SimulationState& state = tick.state;
     const BodySet free = free_trees(tick);
-    state.known_spins &= free;
+    const BodySet known = std::exchange(state.known_spins, free) & free;
     const bool is_last = tick.time + h > tick.length - kSliver;
-    for (int t = 0; t < model.tree_count && free != 0; ++t) {
+    if (!is_last && known == free) return;
+    BodySet left = free;
+    for (int t = 0; left != 0; ++t) {
         const BodySet tree = BodySet{1} << model.tree_begin[t];
-        if ((free & tree) == 0) continue;
-        if ((state.known_spins & tree) == 0)
+        if ((left & tree) == 0) continue;
+        left &= ~tree;
+        if ((known & tree) == 0)
             state.spin[t] =
                 spin_of_tree(model, state.motion, state.cache().kinematics, t).momentum -
                 state.motion.work[kSpinGiven];
         if (!is_last) continue;
-        Kinematics& end = spare_.get().kinematics;
-        const TreeSpin spin = spin_of_tree(model, result_.end, end, t);
-        const double gained = spin.momentum - state.spin[t] - result_.end.work[kSpinGiven];
-        turn_tree(model, t, -gained / spin.inertia, result_.end, end);
+        const double kinetic = restore_spin(model, t, state.spin[t], result_.end.work[kSpinGiven],
+                                            result_.end, spare_.get().kinematics);
+        end_energy_ = mechanical_energy(model, tick.forcing.medium, result_.end, kinetic);
     }
-    state.known_spins = free;
 }
 
 // Notes in the audit what the angular momenta of free trees have gained in spite of that.
@@ -551,6 +554,7 @@ void StepControl::accept(Tick& tick, bool has_rows, double h) {
     add_to_audit(tick, h);
     copy_motion(tick.model, result_.end, state.motion);
     state.owned_cache.swap(spare_);
+    state.energy = end_energy_;
     copy_rate(tick.model, result_.end_rate, state.free_rate);
     state.has_last_acceleration = is_midpoint(has_rows);
     if (state.has_last_acceleration) {

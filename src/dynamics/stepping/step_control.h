@@ -87,6 +87,7 @@ struct SimulationState : SceneMoment {
     OwnedCache owned_cache;     // of the motion, free of contact forces
     MotionRate free_rate = {};  // of the motion, free of contact
     bool cache_is_current = false;
+    std::optional<double> energy;  // J, mechanical, of the current cache if it was computed
     // Number of the contact detection for this motion; 0 if there is none.
     std::uint64_t detection = 0;
 
@@ -166,7 +167,7 @@ private:
                                             double start_depth);
     void reject_end(Tick& tick, double h);
     bool must_halve(const Tick& tick, double h);
-    double unexplained_gain(const Tick& tick) const;
+    double unexplained_gain(const Tick& tick);
     BodySet free_trees(const Tick& tick) const;
     void restore_spins(Tick& tick, double h);
     static void check_spins(const PlanarModel& model, SimulationState& state);
@@ -191,9 +192,10 @@ private:
     const MotionRate* end_rate_ = nullptr;    // at its end
     SolverTally solver_tally_;
     StepResult result_;
-    HeldWork work_;             // of the present attempt
-    double end_overrun_ = 0.0;  // rad or m; at its end
-    ComputedParts computed_;    // by the present model and those since the memory was set to 0
+    HeldWork work_;                     // of the present attempt
+    double end_overrun_ = 0.0;          // rad or m; at its end
+    std::optional<double> end_energy_;  // J, there, if it was computed
+    ComputedParts computed_;  // by the present model and those since the memory was set to 0
 };
 
 }  // namespace cambrian

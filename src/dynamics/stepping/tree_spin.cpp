@@ -33,6 +33,36 @@ CAMBRIAN_INLINE void visit_bodies(const PlanarModel& model, const Motion& motion
     }
 }
 
+// Adds a rate in rad/s to the rotation of the tree about its centre of mass. Returns the kinetic
+// energy of all bodies afterwards.
+CAMBRIAN_INLINE double turn_tree(const PlanarModel& model, int tree, double rate, Motion& motion,
+                                 Kinematics& k) {
+    const double* membership = model.members_of(tree).membership;
+    const int center = center_of(model, tree);
+    const Simd4d center_x = all_lanes(motion.position[center]);
+    const Simd4d center_y = all_lanes(motion.position[center + 1]);
+    Simd4d energy = {};
+    for (int i = 0; i < model.body_count; i += kLanes) {
+        const Simd4d turn = rate * load_lanes(membership + i);
+        const Simd4d turning = all_lanes(1.0) - load_lanes(model.slides + i);
+        store_lanes(motion.speed + i, load_lanes(motion.speed + i) + turning * turn);
+        if (k.deforms) continue;
+        const Simd4d spin = load_lanes(k.spin + i) + turn;
+        const Simd4d velocity_x =
+            load_lanes(k.velocity_x + i) - turn * (load_lanes(k.y + i) - center_y);
+        const Simd4d velocity_y =
+            load_lanes(k.velocity_y + i) + turn * (load_lanes(k.x + i) - center_x);
+        store_lanes(k.spin + i, spin);
+        store_lanes(k.velocity_x + i, velocity_x);
+        store_lanes(k.velocity_y + i, velocity_y);
+        energy += doubled_energies(model, velocity_x, velocity_y, spin, i);
+    }
+    if (!k.deforms) return 0.5 * sum_of(energy);
+    spread_spins(model, motion.speed, k.spin);
+    compute_velocities(model, motion, k);
+    return kinetic_energy(model, k);
+}
+
 }  // namespace
 
 TreeSpin spin_of_tree(const PlanarModel& model, const Motion& motion, const Kinematics& k,
@@ -66,25 +96,11 @@ double gross_spin_of_tree(const PlanarModel& model, const Motion& motion, const 
     return sum_of(gross);
 }
 
-void turn_tree(const PlanarModel& model, int tree, double rate, Motion& motion, Kinematics& k) {
-    const double* membership = model.members_of(tree).membership;
-    const int center = center_of(model, tree);
-    const Simd4d center_x = all_lanes(motion.position[center]);
-    const Simd4d center_y = all_lanes(motion.position[center + 1]);
-    for (int i = 0; i < model.body_count; i += kLanes) {
-        const Simd4d turn = rate * load_lanes(membership + i);
-        const Simd4d turning = all_lanes(1.0) - load_lanes(model.slides + i);
-        store_lanes(motion.speed + i, load_lanes(motion.speed + i) + turning * turn);
-        if (k.deforms) continue;
-        store_lanes(k.spin + i, load_lanes(k.spin + i) + turn);
-        store_lanes(k.velocity_x + i,
-                    load_lanes(k.velocity_x + i) - turn * (load_lanes(k.y + i) - center_y));
-        store_lanes(k.velocity_y + i,
-                    load_lanes(k.velocity_y + i) + turn * (load_lanes(k.x + i) - center_x));
-    }
-    if (!k.deforms) return;
-    spread_spins(model, motion.speed, k.spin);
-    compute_velocities(model, motion, k);
+double restore_spin(const PlanarModel& model, int tree, double before, double given, Motion& motion,
+                    Kinematics& k) {
+    const TreeSpin spin = spin_of_tree(model, motion, k, tree);
+    const double gained = spin.momentum - before - given;
+    return turn_tree(model, tree, -gained / spin.inertia, motion, k);
 }
 
 }  // namespace cambrian

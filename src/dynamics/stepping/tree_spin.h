@@ -20,8 +20,10 @@ TreeSpin spin_of_tree(const PlanarModel& model, const Motion& motion, const Kine
 double gross_spin_of_tree(const PlanarModel& model, const Motion& motion,
                           const Kinematics& kinematics, int tree);
 
-// Adds a rate in rad/s to the rotation of the tree about its centre of mass. Joints do not move.
-void turn_tree(const PlanarModel& model, int tree, double rate, Motion& motion,
-               Kinematics& kinematics);
+// Turns the tree about its centre of mass such that its angular momentum there is that of `before`
+// and what was `given`, kg m^2/s. Joints do not move. Returns the kinetic energy of all bodies
+// afterwards, J.
+double restore_spin(const PlanarModel& model, int tree, double before, double given, Motion& motion,
+                    Kinematics& kinematics);
 
 }  // namespace cambrian
