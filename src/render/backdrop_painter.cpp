@@ -20,7 +20,10 @@ constexpr int kLeastWidth = 1024;   // px, of a far picture, so that it does not
 constexpr double kFarSpeed = 0.10;  // of far hills, as a share of the ground's
 constexpr int kTileWidth = 1024;    // texels of a tile of ground
 constexpr int kTileHeight = 512;
-constexpr double kTileMetres = 4.0;  // width of a tile, or this times a power of two
+constexpr int kParts = 4;  // of each of sky, finished sky and tile
+constexpr int kRidges = 3;
+constexpr int kSteps = 3 * kParts + kRidges;  // in which a scenery is painted
+constexpr double kTileMetres = 4.0;           // width of a tile, or this times a power of two
 
 int rounded_up(int value, int step) {
     return (value + step - 1) / step * step;
@@ -112,6 +115,29 @@ Result<Shader> compile(const char* source) {
     return Shader::compile(backdrop::kVertexSource, whole.c_str());
 }
 
+// Returns one of the parts that a texture is painted in.
+PixelRect part_of(const PaintedTexture& texture, int part) {
+    const int low = texture.height() * part / kParts;
+    const int high = texture.height() * (part + 1) / kParts;
+    return {0, low, texture.width(), high - low};
+}
+
+// Fills the target with the colours of sky and ground. `surface` is the height of the ground.
+void fill_plainly(const BackdropRecipe& recipe, const PixelRect& target, int surface) {
+    constexpr int kStripes = 48;
+    const int horizon = recipe.has_ground ? std::clamp(surface, 0, target.height) : 0;
+    const int above = target.height - horizon;
+    for (int i = 0; i < kStripes; ++i) {
+        const float share = 2.0F * static_cast<float>(i) / kStripes;
+        const Color color = share < 1.0F ? mix(recipe.sky[0], recipe.sky[1], share)
+                                         : mix(recipe.sky[1], recipe.sky[2], share - 1.0F);
+        const int low = horizon + above * i / kStripes;
+        const int high = horizon + above * (i + 1) / kStripes;
+        fill_rect({target.x, target.y + low, target.width, high - low}, color);
+    }
+    fill_rect({target.x, target.y, target.width, horizon}, recipe.ground[1]);
+}
+
 // How rough a chain is, by its form and nearness.
 double roughness(RidgeForm form, std::size_t chain) {
     switch (form) {
@@ -163,41 +189,67 @@ BackdropPainter::Scenery& BackdropPainter::scenery_for(const BackdropRecipe& rec
         return sceneries_.back();
     }
     if (sceneries_.size() == kMostSceneries) sceneries_.erase(sceneries_.begin());
-    Scenery& scenery = sceneries_.emplace_back(Scenery{&recipe, width, height, {}, {}, {}, 0.0});
-    const KeptFramebuffers kept;
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_BLEND);
-    paint_far(scenery);
-    if (recipe.has_ground) paint_tile(scenery);
-    glEnable(GL_BLEND);
-    glEnable(GL_SCISSOR_TEST);
+    Scenery& scenery = sceneries_.emplace_back();
+    scenery.recipe = &recipe;
+    scenery.width = width;
+    scenery.height = height;
     return scenery;
 }
 
-void BackdropPainter::paint_far(Scenery& scenery) {
+void BackdropPainter::bake(Scenery& scenery, Baking baking) {
+    const int last = baking == Baking::kAtOnce ? kSteps : std::min(kSteps, scenery.steps + 1);
+    if (scenery.steps >= last) return;
+    const KeptFramebuffers kept;
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    for (; scenery.steps < last; ++scenery.steps)
+        paint_step(scenery);
+    glEnable(GL_BLEND);
+    glEnable(GL_SCISSOR_TEST);
+}
+
+void BackdropPainter::paint_step(Scenery& scenery) {
+    int step = scenery.steps;
+    if (step < kParts) return paint_sky(scenery, step);
+    step -= kParts;
+    if (step < kParts) return finish_sky(scenery, step);
+    step -= kParts;
+    if (step < kRidges) return paint_ridge(scenery, static_cast<std::size_t>(step));
+    if (scenery.recipe->has_ground) paint_tile(scenery, step - kRidges);
+}
+
+void BackdropPainter::paint_sky(Scenery& scenery, int part) {
     const BackdropRecipe& recipe = *scenery.recipe;
     // What stands on the ground may be seen from above, so there is more sky than in one view.
     const int above = recipe.has_ground ? scenery.height / 4 : 0;
-    Result<PaintedTexture> half =
-        PaintedTexture::create(scenery.width / 2, (scenery.height + above) / 2);
-    Result<PaintedTexture> far = PaintedTexture::create(scenery.width, scenery.height + above);
-    if (!half || !far) return;
-
-    half->bind_to_draw();
+    if (part == 0) {
+        Result<PaintedTexture> half =
+            PaintedTexture::create(scenery.width / 2, (scenery.height + above) / 2);
+        Result<PaintedTexture> far = PaintedTexture::create(scenery.width, scenery.height + above);
+        if (!half || !far) return;
+        scenery.half = std::move(*half);
+        scenery.far = std::move(*far);
+    }
+    if (!scenery.half) return;
+    scenery.half->bind_to_draw();
     const Shader& sky = shaders_[kSky];
-    give_size(sky, *half);
+    give_size(sky, *scenery.half);
     give_color(sky, "low", recipe.sky[0]);
     give_color(sky, "middle", recipe.sky[1]);
     give_color(sky, "high", recipe.sky[2]);
     const double begin = recipe.has_ground ? 0.5 * horizon_of(scenery.height) : 0.0;
     give(sky, "ranges", 0.5 * begin, 0.5 * (scenery.height - begin), 0.5 * scenery.height);
     glUniform2f(sky.uniform("weather"), recipe.clouds, recipe.shafts);
-    cover({0, 0, half->width(), half->height()});
+    cover(part_of(*scenery.half, part));
+}
 
-    far->bind_to_draw();
-    half->bind_to_sample();
+void BackdropPainter::finish_sky(Scenery& scenery, int part) {
+    if (!scenery.far) return;
+    const BackdropRecipe& recipe = *scenery.recipe;
+    scenery.far->bind_to_draw();
+    scenery.half->bind_to_sample();
     const Shader& finish = shaders_[kFinish];
-    give_size(finish, *far);
+    give_size(finish, *scenery.far);
     const bool among_stars =
         recipe.body == HeavenlyBody::kEarth || recipe.body == HeavenlyBody::kCrescent;
     give(finish, "body", recipe.body_place.x() * scenery.width,
@@ -208,54 +260,55 @@ void BackdropPainter::paint_far(Scenery& scenery) {
     glUniform1f(finish.uniform("stars"), recipe.stars);
     glUniform2f(finish.uniform("ranges"), 0.25F * static_cast<float>(scenery.height),
                 0.65F * static_cast<float>(scenery.height));
-    cover({0, 0, far->width(), far->height()});
-    scenery.far = std::move(*far);
-    paint_ridges(scenery);
+    cover(part_of(*scenery.far, part));
+    if (part == kParts - 1) scenery.half.reset();
 }
 
-void BackdropPainter::paint_ridges(const Scenery& scenery) {
+void BackdropPainter::paint_ridge(const Scenery& scenery, std::size_t i) {
+    if (!scenery.far) return;
     const BackdropRecipe& recipe = *scenery.recipe;
+    const auto& [crest, foot] = recipe.ridges[i];
+    const int chain = static_cast<int>(i);
+    scenery.far->bind_to_draw();
     const Shader& ridge = shaders_[kRidge];
     give_size(ridge, *scenery.far);
     glUniform1i(ridge.uniform("form"), static_cast<int>(recipe.form));
+    // With ground, all stand on the horizon; else nearer ones lie deeper.
+    const int high = scenery.height * (recipe.has_ground ? 24 - 3 * chain : 30) / 100;
+    const int low =
+        recipe.has_ground ? horizon_of(scenery.height) - 2 : high * (15 * (2 - chain) - 25) / 100;
+    const int waves = (4 + 2 * chain) * scenery.width / kLeastWidth;
+    glUniform4f(ridge.uniform("strip"), static_cast<float>(low), static_cast<float>(high),
+                static_cast<float>(3 + 7 * chain), static_cast<float>(waves));
+    give_color(ridge, "crest", crest);
+    give_color(ridge, "foot", foot);
+    const float shine = recipe.form == RidgeForm::kSeabed ? 0.03F : 0.12F;
+    const Color glint = mix(crest, color_of(0xFFFFFF), 0.5F);
+    give(ridge, "glint", static_cast<double>(shine * glint.r), static_cast<double>(shine * glint.g),
+         static_cast<double>(shine * glint.b));
+    glUniform1f(ridge.uniform("rough"), static_cast<float>(roughness(recipe.form, i)));
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    for (std::size_t i = 0; i < recipe.ridges.size(); ++i) {
-        const auto& [crest, foot] = recipe.ridges[i];
-        const int chain = static_cast<int>(i);
-        // With ground, all stand on the horizon; else nearer ones lie deeper.
-        const int high = scenery.height * (recipe.has_ground ? 24 - 3 * chain : 30) / 100;
-        const int low = recipe.has_ground ? horizon_of(scenery.height) - 2
-                                          : high * (15 * (2 - chain) - 25) / 100;
-        const int waves = (4 + 2 * chain) * scenery.width / kLeastWidth;
-        glUniform4f(ridge.uniform("strip"), static_cast<float>(low), static_cast<float>(high),
-                    static_cast<float>(3 + 7 * chain), static_cast<float>(waves));
-        give_color(ridge, "crest", crest);
-        give_color(ridge, "foot", foot);
-        const float shine = recipe.form == RidgeForm::kSeabed ? 0.03F : 0.12F;
-        const Color glint = mix(crest, color_of(0xFFFFFF), 0.5F);
-        give(ridge, "glint", static_cast<double>(shine * glint.r),
-             static_cast<double>(shine * glint.g), static_cast<double>(shine * glint.b));
-        glUniform1f(ridge.uniform("rough"), static_cast<float>(roughness(recipe.form, i)));
-        cover({0, low, scenery.far->width(), high});
-    }
+    cover({0, low, scenery.far->width(), high});
     glDisable(GL_BLEND);
 }
 
-void BackdropPainter::paint_tile(Scenery& scenery) {
-    Result<PaintedTexture> tile = PaintedTexture::create(kTileWidth, kTileHeight);
-    if (!tile) return;
-    tile->bind_to_draw();
+void BackdropPainter::paint_tile(Scenery& scenery, int part) {
+    if (part == 0) {
+        if (Result<PaintedTexture> tile = PaintedTexture::create(kTileWidth, kTileHeight))
+            scenery.tile = std::move(*tile);
+    }
+    if (!scenery.tile) return;
+    scenery.tile->bind_to_draw();
     const Shader& soil = shaders_[kSoil];
-    give_size(soil, *tile);
+    give_size(soil, *scenery.tile);
     const BackdropRecipe& recipe = *scenery.recipe;
     give_color(soil, "cover", recipe.ground[0]);
     give_color(soil, "upper", recipe.ground[1]);
     give_color(soil, "deep", recipe.ground[2]);
     give_color(soil, "stones", recipe.ground[3]);
     glUniform1i(soil.uniform("form"), static_cast<int>(recipe.soil));
-    cover({0, 0, kTileWidth, kTileHeight});
-    scenery.tile = std::move(*tile);
+    cover(part_of(*scenery.tile, part));
 }
 
 void BackdropPainter::scale_ground(Scenery& scenery, double pixels_per_metre) {
@@ -263,9 +316,7 @@ void BackdropPainter::scale_ground(Scenery& scenery, double pixels_per_metre) {
     scenery.scale = pixels_per_metre;
     const int width =
         static_cast<int>(std::round(tile_metres(pixels_per_metre) * pixels_per_metre));
-    const int repeats = (scenery.width + width - 1) / width;
-    Result<PaintedTexture> ground =
-        PaintedTexture::create(repeats * width, kTileHeight * width / kTileWidth);
+    Result<PaintedTexture> ground = PaintedTexture::create(width, kTileHeight * width / kTileWidth);
     if (!ground) {
         scenery.ground.reset();
         return;
@@ -276,7 +327,6 @@ void BackdropPainter::scale_ground(Scenery& scenery, double pixels_per_metre) {
     scenery.tile->bind_to_sample();
     const Shader& scale = shaders_[kScale];
     give_size(scale, *ground);
-    glUniform1f(scale.uniform("repeats"), static_cast<float>(repeats));
     cover({0, 0, ground->width(), ground->height()});
     glEnable(GL_BLEND);
     glEnable(GL_SCISSOR_TEST);
@@ -284,17 +334,26 @@ void BackdropPainter::scale_ground(Scenery& scenery, double pixels_per_metre) {
 }
 
 void BackdropPainter::draw(const BackdropRecipe& recipe, const Camera& camera,
-                           const PixelRect& target) {
+                           const PixelRect& target, Baking baking) {
     glEnable(GL_SCISSOR_TEST);
     Scenery& scenery = scenery_for(recipe, target);
+    bake(scenery, baking);
+    unfinished_ = scenery.steps < kSteps;
     const int surface = recipe.has_ground ? surface_of(camera, target) : 0;
-    const bool ground_seen = scenery.tile && surface > 0;
+    const bool ground_seen = !unfinished_ && scenery.tile && surface > 0;
     if (ground_seen && scenery.scale != camera.pixels_per_metre)
         scale_ground(scenery, camera.pixels_per_metre);
     const KeptFramebuffers kept;
-    fill_rect(target, recipe.sky[1]);
     glScissor(target.x, target.y, target.width, target.height);
-    if (scenery.far) copy_far(scenery, camera, target, surface);
+    if (unfinished_ && scenery.far) {
+        // Drivers compile their copying when it is first used; the pixel is covered below.
+        scenery.far->bind_to_copy();
+        copy(0, 0, {target.x, target.y, 1, 1});
+    }
+    if (unfinished_ || !scenery.far || (ground_seen && !scenery.ground))
+        fill_plainly(recipe, target, surface);
+    glScissor(target.x, target.y, target.width, target.height);
+    if (!unfinished_ && scenery.far) copy_far(scenery, camera, target, surface);
     if (ground_seen && scenery.ground) copy_ground(scenery, camera, target, surface);
     glViewport(target.x, target.y, target.width, target.height);
 }
@@ -320,9 +379,8 @@ void BackdropPainter::copy_far(const Scenery& scenery, const Camera& camera,
 void BackdropPainter::copy_ground(const Scenery& scenery, const Camera& camera,
                                   const PixelRect& target, int surface) const {
     scenery.ground->bind_to_copy();
-    const double scale = camera.pixels_per_metre;
-    const int period = static_cast<int>(std::round(tile_metres(scale) * scale));
-    const int from = wrapped(camera.center.x() * scale - 0.5 * target.width, period);
+    const double left = camera.center.x() * camera.pixels_per_metre - 0.5 * target.width;
+    const int from = wrapped(left, scenery.ground->width());
     const int high = std::min(surface, target.height);
     const int low = surface - scenery.ground->height();
     const int first = std::clamp(low, 0, high);

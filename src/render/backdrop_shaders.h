@@ -218,12 +218,11 @@ void main() {
 }
 )";
 
-// Repeats a tile of ground at another size.
+// A tile of ground at another size.
 inline constexpr const char* kScaleSource = R"(
 uniform sampler2D picture;
-uniform float repeats;
 void main() {
-    color = texture(picture, vec2(gl_FragCoord.x / size.x * repeats, gl_FragCoord.y / size.y));
+    color = texture(picture, gl_FragCoord.xy / size);
 }
 )";
 

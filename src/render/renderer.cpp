@@ -143,11 +143,12 @@ void Renderer::draw_shapes(std::span<const Shape> shapes, const Camera& camera,
     buffer_.draw();
 }
 
-void Renderer::draw(const SceneFrame& frame, const Camera& camera, const PixelRect& target) {
+void Renderer::draw(const SceneFrame& frame, const Camera& camera, const PixelRect& target,
+                    Baking baking) {
     const Viewport viewport{static_cast<double>(target.width), static_cast<double>(target.height)};
     glViewport(target.x, target.y, target.width, target.height);
     if (frame.backdrop != nullptr)
-        backdrop_painter_.draw(*frame.backdrop, camera, target);
+        backdrop_painter_.draw(*frame.backdrop, camera, target, baking);
     else
         fill_rect(target, frame.background);
     const std::span<const Shape> shapes = frame.shapes;

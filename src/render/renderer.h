@@ -24,7 +24,10 @@ public:
 
     // Clears the rectangle and draws the frame into it. Boxes at the start of the frame are rounded
     // to pixels if they are opaque, upright and sharp. Blending and scissoring remain enabled.
-    void draw(const SceneFrame& frame, const Camera& camera, const PixelRect& target);
+    void draw(const SceneFrame& frame, const Camera& camera, const PixelRect& target,
+              Baking baking = Baking::kAtOnce);
+    // Whether the last frame lacks scenery that further frames will add.
+    bool unfinished() const { return backdrop_painter_.unfinished(); }
 
 private:
     Renderer(Shader shader, SkinPainter skin_painter, BackdropPainter backdrop_painter);

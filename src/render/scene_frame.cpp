@@ -68,6 +68,7 @@ void SceneFrame::clear() {
     skins.clear();
     skin_boxes.clear();
     light = {};
+    detail = Detail::kFull;
 }
 
 }  // namespace cambrian

@@ -25,6 +25,10 @@ struct Shape {
     Color outline = {};
 };
 
+// In light frames, skins have no gleam and scenery has fewer small things, so that they are
+// cheaper.
+enum class Detail : unsigned char { kFull, kLight };
+
 struct SceneFrame {
     Color background;  // may be transparent in a framebuffer of its own
     // Covers the background unless it is null. Recipes are told apart by address, so each must stay
@@ -34,6 +38,7 @@ struct SceneFrame {
     std::vector<Skin> skins;          // the same; each says how many shapes are behind it
     std::vector<SkinBox> skin_boxes;  // of all skins
     SkinLight light;
+    Detail detail = Detail::kFull;
 
     void add_box(const Vec2& center, const Vec2& half_extents, const Color& fill);
     void add_line(const Vec2& from, const Vec2& to, double width, const Color& color);

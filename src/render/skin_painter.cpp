@@ -24,7 +24,7 @@ void main() {
 }
 )";
 
-// After a line that defines COUNT.
+// After lines that define COUNT and, for light frames, LIGHT.
 constexpr const char* kSkinFragmentSource = R"(
 uniform vec2 origin;         // px, the target's corner
 uniform vec4 place[COUNT];   // px: centre; cosine, sine
@@ -148,12 +148,14 @@ void main() {
     vec3 lit = paint * light;
     float edge = 1.0 - up;
     lit += rim * edge * edge * clamp(lean.y + 0.35, 0.0, 1.0);
+#ifndef LIGHT
     float gleam = max(dot(normal, halfway), 0.0);
     gleam *= gleam;
     gleam *= gleam;
     gleam *= gleam;
     gleam *= gleam;
     lit += key * 0.17 * gleam * gleam;
+#endif
     lit *= shade;
 
     float line = clamp(0.5 + depth + form.y, 0.0, 1.0);
@@ -204,12 +206,15 @@ SkinPainter::Program::Program(Shader linked)
 
 Result<SkinPainter> SkinPainter::create() {
     std::vector<Program> programs;
-    for (std::size_t count = 1; count <= kTileBoxes; ++count) {
-        const std::string source =
-            "#version 330 core\n#define COUNT " + std::to_string(count) + kSkinFragmentSource;
-        Result<Shader> shader = Shader::compile(kSkinVertexSource, source.c_str());
-        if (!shader) return shader.error();
-        programs.emplace_back(std::move(*shader));
+    for (const char* light : {"", "#define LIGHT\n"}) {
+        for (std::size_t count = 1; count <= kTileBoxes; ++count) {
+            const std::string source = std::string("#version 330 core\n") + light +
+                                       "#define COUNT " + std::to_string(count) +
+                                       kSkinFragmentSource;
+            Result<Shader> shader = Shader::compile(kSkinVertexSource, source.c_str());
+            if (!shader) return shader.error();
+            programs.emplace_back(std::move(*shader));
+        }
     }
     return SkinPainter(std::move(programs));
 }
@@ -298,12 +303,13 @@ void SkinPainter::draw(const SceneFrame& frame, const Skin& skin, const Camera& 
     buffer_.fill(corners_);
     std::size_t first = 0;
     std::size_t used = 0;
+    const std::size_t programs = frame.detail == Detail::kLight ? kTileBoxes : 0;
     while (first < tiles_.size()) {
         const SkinTile& tile = tiles_[first];
         std::size_t end = first + 1;
         while (end < tiles_.size() && tiles_[end].has_boxes_of(tile))
             ++end;
-        const Program& program = programs_[tile.count - 1U];
+        const Program& program = programs_[programs + tile.count - 1U];
         if (used != tile.count) use(program, frame, skin, camera, target);
         used = tile.count;
         give_boxes(program, frame, skin, tile);

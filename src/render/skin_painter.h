@@ -39,7 +39,8 @@ private:
     void give_boxes(const Program& program, const SceneFrame& frame, const Skin& skin,
                     const SkinTile& tile) const;
 
-    std::vector<Program> programs_;  // for 1, 2, ... boxes
+    // For 1, 2, ... boxes, then the same for light frames.
+    std::vector<Program> programs_;
     RectangleBuffer buffer_;
     std::vector<TileBox> boxes_;  // of the skin that is drawn
     std::vector<SkinTile> tiles_;

@@ -74,6 +74,7 @@ void read_line(const std::string& name, const std::string& value, ViewState& vie
             view.ghosts = static_cast<GhostChoice>(i);
     }
     if (name == "look") read_look(value, view);
+    if (name == "scenery") view.scenery = scenery_named(value).value_or(view.scenery);
     read_size(name, value, view.panels);
     for (const TimelinePlot& plot : timeline_plots()) {
         if (name == "timeline" && value == plot.id) view.quantity = plot.quantity;
@@ -128,6 +129,7 @@ std::string write_view(const ViewState& view) {
             fmt::format("{} = {:.0f}\n", size.name, static_cast<double>(view.panels.*size.place));
     text += fmt::format("theme = {}\n", view.theme == ThemeKind::kLight ? "light" : "dark");
     text += fmt::format("look = {}\n", kLooks[static_cast<std::size_t>(view.look)]);
+    text += fmt::format("scenery = {}\n", kSceneryNames[static_cast<std::size_t>(view.scenery)]);
     text += fmt::format("timeline = {}\n", timeline_plot(view.quantity).id);
     text += fmt::format("population = {}\n", tile_sorting(view.order).id);
     return text + fmt::format("speed = {:g}\n", view.speed);

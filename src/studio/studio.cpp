@@ -7,6 +7,7 @@
 #include "studio/actions/action.h"
 #include "studio/files/typed_path.h"
 #include "studio/host/frame_log.h"
+#include "studio/host/frame_pace.h"
 #include "studio/host/imgui_host.h"
 #include "studio/main_window.h"
 #include "studio/panels/builtin_panels.h"
@@ -75,6 +76,7 @@ private:
     static Remembered remembered(const StudioOptions& options, const EvolutionKinds& kinds) {
         Remembered remembered = recall(options.state_dir, kinds);
         if (options.theme) remembered.view.theme = *options.theme;
+        if (options.scenery) remembered.view.scenery = *options.scenery;
         return remembered;
     }
 
@@ -114,7 +116,8 @@ private:
 
     // Waits for the next frame; a display that sets a lower frame rate makes it later.
     void wait_for_frame(const Stopwatch& clock, double last_start) {
-        if (window_.take_activity() || controller_.animating()) quiet_frames_ = 0;
+        if (window_.take_activity() || controller_.animating() || renderer_.unfinished())
+            quiet_frames_ = 0;
         const bool idle = ++quiet_frames_ > kSettledFrames;
         const double due = last_start + (idle ? kIdleSleep : 1.0 / options_.drawing.frame_rate);
         window_.poll(0.0);
@@ -128,6 +131,8 @@ private:
         controller_.update(now, elapsed);
         FrameContext context = controller_.frame_context();
         context.window.framebuffer_height = window_.framebuffer_height();
+        const bool automatic = context.view.scenery == Scenery::kAutomatic;
+        context.window.scenery = automatic ? pace_.tier() : context.view.scenery;
         Requests requests;
         if (host_.context().theme != controller_.view().theme)
             host_.set_theme(controller_.view().theme);
@@ -150,7 +155,9 @@ private:
         if (!complaint.empty()) controller_.feedback().tell(NoticeKind::kProblem, complaint);
         const PictureOrders orders = controller_.files().take_orders();
         if (orders.plot) keep_plot(*orders.plot, context);
+        const Stopwatch drawing;
         host_.end_frame();
+        if (automatic && controller_.animating()) pace_.note(drawing.seconds(), elapsed);
         if (orders.screenshot) keep_picture(orders.screenshot->path);
         if (orders.card) keep_card(*orders.card);
         controller_.carry_out(requests);
@@ -198,7 +205,9 @@ private:
     }
 
     void take_picture(const std::filesystem::path& path) {
-        frame(1e9, 0.0);
+        do {
+            frame(1e9, 0.0);
+        } while (renderer_.unfinished());
         controller_.files().save_picture(path, picture());
     }
 
@@ -209,6 +218,7 @@ private:
     ImGuiHost host_;
     MainWindow main_window_;
     FrameLog frame_log_;
+    FramePace pace_;
     int quiet_frames_ = 0;
     int pictures_ = 0;  // number of the last one named by the studio
     bool started_ = false;

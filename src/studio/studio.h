@@ -6,6 +6,7 @@
 #include "evolution/kinds/evolution_kinds.h"
 #include "pictures/canvas/palette.h"
 #include "studio/host/window.h"
+#include "studio/look/view_state.h"
 #include "studio/machines/machine_options.h"
 
 #include <cstddef>
@@ -34,6 +35,7 @@ struct StudioOptions {
     std::stop_token end;               // a stop request closes the window
     bool viewer = false;               // shows only the viewport and its transport bar
     std::optional<ThemeKind> theme;    // replaces the stored theme
+    std::optional<Scenery> scenery;    // the same
     bool evolve = false;               // starts evolution at once
     WindowDrawing drawing;
     MachineOptions machines;

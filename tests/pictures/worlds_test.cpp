@@ -30,12 +30,14 @@ Thing opened(Result<Thing> thing) {
 
 class Easel {
 public:
-    Image picture(const SceneFrame& frame, const Camera& camera, int width, int height) {
+    Image picture(const SceneFrame& frame, const Camera& camera, int width, int height,
+                  Baking baking = Baking::kAtOnce) {
         const Framebuffer framebuffer = opened(Framebuffer::create(width, height));
         framebuffer.bind();
-        renderer_->draw(frame, camera, {0, 0, width, height});
+        renderer_->draw(frame, camera, {0, 0, width, height}, baking);
         return read_pixels(width, height);
     }
+    bool unfinished() const { return renderer_->unfinished(); }
     Image picture(WorldKind kind, const Vec2& center, double scale = 100.0) {
         Camera camera;
         camera.center = center;
@@ -97,6 +99,29 @@ TEST_CASE("a moment of a world has the same bytes whatever was drawn before",
     Easel second;
     CHECK(second.picture(WorldKind::kWater, {0.3, 0.5}).rgb ==
           first.picture(WorldKind::kWater, {0.3, 0.5}).rgb);
+}
+
+TEST_CASE("scenery that is painted in steps has the bytes of one that is painted at once",
+          "[pictures][worlds][picture]") {
+    Camera camera;
+    camera.center = {0.3, 0.5};
+    for (const WorldKind kind : {WorldKind::kMeadow, WorldKind::kWater}) {
+        SceneFrame frame;
+        use_world(frame, drawn_world(kind, Daytime::kDusk));
+        const Image at_once = Easel().picture(frame, camera, 320, 200);
+        Easel patient;
+        Image image = patient.picture(frame, camera, 320, 200, Baking::kInSteps);
+        CHECK(patient.unfinished());
+        CHECK(image.rgb != at_once.rgb);
+        CHECK(difference(pixel(image, 160, 1), frame.backdrop->sky[2]) < 0.1);
+        for (int i = 0; i < 100 && patient.unfinished(); ++i)
+            image = patient.picture(frame, camera, 320, 200, Baking::kInSteps);
+        CHECK(image.rgb == at_once.rgb);
+        // A picture does not wait for steps.
+        Easel hasty;
+        hasty.picture(frame, camera, 320, 200, Baking::kInSteps);
+        CHECK(hasty.picture(frame, camera, 320, 200).rgb == at_once.rgb);
+    }
 }
 
 // Whether a row of a picture is that of another one, moved by some pixels to the left.

@@ -13,6 +13,7 @@ TEST_CASE("arrangement and settings are restored as they were", "[studio][rememb
     Remembered left;
     left.view.theme = ThemeKind::kLight;
     left.view.look = LookMode::kMechanics;
+    left.view.scenery = Scenery::kLight;
     left.view.speed = 0.25;
     left.view.panels.bottom = false;
     left.view.overlays.torques = true;
@@ -48,10 +49,12 @@ TEST_CASE("missing or damaged state gives the defaults", "[studio][remembered]")
     const TemporaryDirectory folder;
     CHECK(recall(folder.path(), test::kinds()) == Remembered{});
     CHECK(recall({}, test::kinds()) == Remembered{});
-    put_text(folder / "view.conf", "theme\n= = =\nspeed = 1e300\nfollow = ?\n\xff\xfe\n");
+    put_text(folder / "view.conf",
+             "theme\n= = =\nspeed = 1e300\nscenery = yes\nfollow = ?\n\xff\xfe\n");
     put_text(folder / "experiment.toml", "[environment]\ngravity = \"heavy\"\n");
     const Remembered found = recall(folder.path(), test::kinds());
     CHECK(found.view.speed == 1.0);
+    CHECK(found.view.scenery == Scenery::kAutomatic);
     CHECK(found.settings == ExperimentSettings{});
 }
 

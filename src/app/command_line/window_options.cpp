@@ -2,8 +2,12 @@
 
 #include "app/command_line/number_checks.h"
 #include "app/command_line/option_types.h"
+#include "studio/look/overlays.h"
 
 #include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
 
 namespace cambrian {
 
@@ -19,6 +23,12 @@ void add_window_options(CLI::App& app, StudioOptions& options) {
     take_real(*app.add_option("--scale", options.drawing.scale,
                               "Pixels per 1/96 inch of everything drawn; the display's by default"),
               0.5, 4.0);
+    app.add_option_function<std::string>(
+           "--scenery",
+           [&options](const std::string& name) { options.scenery = scenery_named(name); },
+           "How much of the scenery is drawn; as it was left, at first automatic, by default")
+        ->check(
+            CLI::IsMember(std::vector<std::string>(kSceneryNames.begin(), kSceneryNames.end())));
     app.add_option("--status-log", options.status_log,
                    "File to append events to, as JSON, one object per line")
         ->type_name(option_type::kFile);

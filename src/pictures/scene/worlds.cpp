@@ -247,7 +247,8 @@ void add_sun(SceneFrame& frame, const BackdropRecipe& recipe, const WorldWindow&
     if (recipe.body != HeavenlyBody::kSun) return;
     const Vec2 at = window.low + recipe.body_place.cwiseProduct(size_of(window));
     const double radius = recipe.body_radius * size_of(window).y();
-    add_glow(frame, at, 3.2 * radius, with_alpha(recipe.body_color, 0.30F));
+    if (frame.detail == Detail::kFull)
+        add_glow(frame, at, 3.2 * radius, with_alpha(recipe.body_color, 0.30F));
     add_glow(frame, at, 1.7 * radius, with_alpha(recipe.body_color, 0.45F));
     frame.add_circle(at, radius, recipe.body_color);
 }
@@ -284,6 +285,7 @@ void add_grass(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
     const double last = std::ceil(window.high.x() / spacing) + 1.0;
     for (double i = first; i <= last; i += 1.0) {
         const auto place = static_cast<std::int64_t>(i);
+        if (frame.detail == Detail::kLight && place % 2 != 0) continue;
         const auto draw = [&](std::uint32_t use) { return scattered(place, row.use + use); };
         const double x = (i + 0.8 * (draw(1) - 0.5)) * spacing;
         const double tall = draw(2);
@@ -315,7 +317,7 @@ void add_specks(SceneFrame& frame, const DrawnWorld& world, const Camera& camera
     const bool snow = world.kind == WorldKind::kIce;
     const WorldWindow window = camera.window(viewport);
     const Vec2 size = 1.2 * size_of(window);
-    for (int i = 0; i < kSpecks; ++i) {
+    for (int i = 0; i < (frame.detail == Detail::kFull ? kSpecks : kSpecks / 2); ++i) {
         const auto draw = [i](std::uint32_t use) { return scattered(i, 200 + use); };
         const double depth = 0.35 + 0.65 * draw(1);
         const bool bubble = !snow && draw(6) < 0.18;
@@ -347,7 +349,7 @@ void add_weeds(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
     const WorldWindow window = camera.window(viewport);
     const Vec2 size = size_of(window);
     constexpr int kTufts = 9;
-    constexpr int kLeaves = 6;
+    const int leaves = frame.detail == Detail::kFull ? 6 : 4;
     for (int tuft = 0; tuft < kTufts; ++tuft) {
         const bool far = tuft < 5;
         const double width = 1.4 * size.x();
@@ -355,7 +357,7 @@ void add_weeds(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
         x -= std::floor(x / width) * width + 0.2 * size.x();
         const Color base = mix(world.recipe.ridges[far ? 1 : 2][0], color_of(0x1E7A5E),
                                0.25F + 0.2F * static_cast<float>(scattered(tuft, 306)));
-        for (int leaf = 0; leaf < kLeaves; ++leaf) {
+        for (int leaf = 0; leaf < leaves; ++leaf) {
             const std::int64_t which = 16 * tuft + leaf;
             const double length =
                 (0.10 + 0.20 * scattered(which, 302) * scattered(tuft, 303)) * size.y();
@@ -448,7 +450,7 @@ void add_lamp(SceneFrame& frame, const Camera& camera, const Viewport& viewport,
     frame.light.lamp_power = 1.0F;
     const double high = size_of(camera.window(viewport)).y();
     const Color glow = color_of(0xFFD58A);
-    add_glow(frame, place, 0.45 * high, with_alpha(glow, 0.16F));
+    if (frame.detail == Detail::kFull) add_glow(frame, place, 0.45 * high, with_alpha(glow, 0.16F));
     add_glow(frame, place, 0.20 * high, with_alpha(glow, 0.30F));
     add_glow(frame, place, 0.07 * high, color_of(0xFFE9BC, 0.75F));
     frame.add_circle(place, 0.016 * high, color_of(0xFFF8E6));

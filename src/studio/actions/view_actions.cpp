@@ -13,11 +13,20 @@ struct ViewLine {
     const char* label;
     const char* help;
 };
-// In the order of LookMode and of GhostChoice.
+// In the order of LookMode, Scenery and GhostChoice.
 constexpr std::array kLookLines = {
     ViewLine{"look-life", "Life", "Creatures in their skin, with the pattern of their founder."},
     ViewLine{"look-glass", "Glass", "Their boxes and joints through a pale skin."},
     ViewLine{"look-mechanics", "Mechanics", "The boxes and joints that physics moves."},
+};
+constexpr std::array kSceneryLines = {
+    ViewLine{"scenery-automatic", "Automatic scenery", "As much of it as can be drawn smoothly."},
+    ViewLine{"scenery-full", "Full scenery",
+             "The place that the environment is: meadow, ice, Moon, water, air, or night around a "
+             "lamp. It is plain behind creatures that are seen as mechanics."},
+    ViewLine{"scenery-light", "Light scenery",
+             "The same with less grass, fewer bubbles and simpler light."},
+    ViewLine{"scenery-plain", "Plain background", "No scenery."},
 };
 constexpr std::array kGhostLines = {
     ViewLine{"ghosts-none", "No ghosts", "The creature on display is alone."},
@@ -122,6 +131,7 @@ std::vector<Action> view_actions() {
     };
     // clang-format on
     add_choices<&ViewState::look>(actions, kLookLines);
+    add_choices<&ViewState::scenery>(actions, kSceneryLines);
     add_choices<&ViewState::ghosts>(actions, kGhostLines);
     add_overlays(actions);
     return actions;

@@ -25,10 +25,11 @@ struct QuitStudio {};
 using WindowRequest = std::variant<ChangeView, FocusPlace, DismissNotice, QuitStudio>;
 
 struct WindowView {
-    const Notice* notice = nullptr;  // null if there is no notice
-    Place focus = Place::kNone;      // panel that gets the keyboard focus in this frame
-    bool viewer_only = false;        // only the viewport and its transport bar are shown
-    int framebuffer_height = 0;      // pixels
+    const Notice* notice = nullptr;    // null if there is no notice
+    Place focus = Place::kNone;        // panel that gets the keyboard focus in this frame
+    bool viewer_only = false;          // only the viewport and its transport bar are shown
+    int framebuffer_height = 0;        // pixels
+    Scenery scenery = Scenery::kFull;  // that is drawn; never kAutomatic
 };
 
 }  // namespace cambrian

@@ -147,6 +147,7 @@ void ImGuiHost::end_frame() {
     for (const Rect& area : changed_.update(data, paint(background)))
         paint_area(data, area, background);
     stamp_.put(background);
+    glFinish();
 }
 
 }  // namespace cambrian

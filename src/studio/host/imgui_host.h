@@ -36,7 +36,8 @@ public:
     bool begin_frame(const std::vector<KeyPress>& pressed, bool tab_moves);
     // Closes the menu or pop-up that was opened last; returns false if there is none.
     static bool close_popup();
-    // Draws the frame into the window's framebuffer. Only changed areas are painted.
+    // Draws the frame into the window's framebuffer and waits until that is done. Only changed
+    // areas are painted.
     void end_frame();
     // Draws a picture of its own on the panels' background colour. May be called only between
     // begin_frame() and end_frame().

@@ -18,7 +18,7 @@ void draw_canvas(const ImDrawList*, const ImDrawCmd* command) {
         whole(canvas.area.x),
         canvas.framebuffer_height - whole(canvas.area.y) - whole(canvas.area.height),
         whole(canvas.area.width), whole(canvas.area.height)};
-    canvas.renderer->draw(canvas.frame, canvas.camera, target);
+    canvas.renderer->draw(canvas.frame, canvas.camera, target, Baking::kInSteps);
 }
 
 }  // namespace

@@ -6,11 +6,6 @@ namespace cambrian {
 namespace {
 
 constexpr std::array kOverlays = {
-    OverlayKind{
-        "scenery", "Scenery",
-        "The place that the environment is: meadow, ice, Moon, water, air, or night around a "
-        "lamp. It is plain behind creatures that are seen as mechanics.",
-        &OverlaysShown::scenery},
     OverlayKind{"grid", "Grid", "Lines at each metre, or at equal parts of it, without scenery.",
                 &OverlaysShown::grid},
     OverlayKind{"trail", "Trail", "The path of the centre of mass in the last six seconds.",
@@ -54,8 +49,15 @@ std::span<const OverlayKind> overlay_kinds() {
     return kOverlays;
 }
 
-const DrawnWorld* shown_world(const ViewState& view, const Environment& environment) {
-    if (!view.overlays.scenery || view.look == LookMode::kMechanics) return nullptr;
+std::optional<Scenery> scenery_named(std::string_view name) {
+    for (std::size_t i = 0; i < kSceneryNames.size(); ++i)
+        if (name == kSceneryNames[i]) return static_cast<Scenery>(i);
+    return std::nullopt;
+}
+
+const DrawnWorld* shown_world(const ViewState& view, Scenery scenery,
+                              const Environment& environment) {
+    if (scenery == Scenery::kPlain || view.look == LookMode::kMechanics) return nullptr;
     return &drawn_world(world_kind_of(environment), daytime_of(view.theme));
 }
 

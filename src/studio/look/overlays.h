@@ -5,7 +5,10 @@
 #include "pictures/scene/worlds.h"
 #include "studio/look/view_state.h"
 
+#include <array>
+#include <optional>
 #include <span>
+#include <string_view>
 
 namespace cambrian {
 
@@ -18,7 +21,16 @@ struct OverlayKind {
 
 std::span<const OverlayKind> overlay_kinds();
 
-// Returns the world that the scenery shows for an environment; null if none is shown.
-const DrawnWorld* shown_world(const ViewState& view, const Environment& environment);
+// Of Scenery, in its order, in the stored state and on the command line.
+inline constexpr std::array kSceneryNames = {"automatic", "full", "light", "plain"};
+std::optional<Scenery> scenery_named(std::string_view name);
+
+// Returns the world that is shown for an environment with so much scenery; null if none is.
+const DrawnWorld* shown_world(const ViewState& view, Scenery scenery,
+                              const Environment& environment);
+constexpr Detail detail_of(Scenery scenery) {
+    return scenery == Scenery::kLight || scenery == Scenery::kPlain ? Detail::kLight
+                                                                    : Detail::kFull;
+}
 
 }  // namespace cambrian

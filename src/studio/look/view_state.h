@@ -28,9 +28,12 @@ inline constexpr std::array kPlaybackSpeeds = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.
 // Which champions of other generations are displayed beside the creature.
 enum class GhostChoice : unsigned char { kNone, kImprovements, kTenths, kAcross };
 
+// How much of the scenery is drawn. kAutomatic leaves the choice to the time that frames take; a
+// light one has fewer small things, a plain one is the background alone.
+enum class Scenery : unsigned char { kAutomatic, kFull, kLight, kPlain };
+
 // The overlays that are drawn over the creature; overlays.h describes them.
 struct OverlaysShown {
-    bool scenery = true;
     bool trail = true;
     bool contacts = true;
     bool grid = true;
@@ -63,6 +66,7 @@ struct PanelSizes {
 struct ViewState {
     ThemeKind theme = ThemeKind::kDark;
     LookMode look = LookMode::kLife;
+    Scenery scenery = Scenery::kAutomatic;
     bool follow = true;  // the camera follows the creature
     OverlaysShown overlays;
     PanelSizes panels;

@@ -50,8 +50,7 @@ TEST_CASE("each overlay switches something of the picture on and off", "[studio]
                 overlays.*each.shown = false;
             overlays.*overlay.shown = shown;
             // Other looks show less of a skin where an overlay would be hidden by it.
-            run.studio.view().look =
-                overlay.shown == &OverlaysShown::scenery ? LookMode::kLife : LookMode::kMechanics;
+            run.studio.view().look = LookMode::kMechanics;
             const FrameContext frame = run.studio.frame();
             Requests out;
             gui.frame([&] { panel.draw(frame, out); });
@@ -60,6 +59,24 @@ TEST_CASE("each overlay switches something of the picture on and off", "[studio]
         INFO(overlay.label);
         CHECK(shapes[1] > shapes[0]);
     }
+}
+
+TEST_CASE("plain scenery is none, light scenery is less than the full one", "[studio][overlays]") {
+    OverlayRun run;
+    std::vector<std::size_t> shapes;
+    for (const Scenery scenery : {Scenery::kPlain, Scenery::kLight, Scenery::kFull}) {
+        NullImGui gui;
+        ViewportPanel panel(nullptr);
+        run.studio.view().overlays.grid = false;
+        FrameContext frame = run.studio.frame();
+        frame.window.scenery = scenery;
+        Requests out;
+        gui.frame([&] { panel.draw(frame, out); });
+        CHECK((panel.scene().backdrop == nullptr) == (scenery == Scenery::kPlain));
+        shapes.push_back(panel.scene().shapes.size());
+    }
+    CHECK(shapes[0] < shapes[1]);
+    CHECK(shapes[1] < shapes[2]);
 }
 
 TEST_CASE("the needle of a joint is between its limits", "[studio][overlays]") {

@@ -21,7 +21,8 @@ constexpr std::array kMenus = {
          "quit"},
     Menu{"Edit", "undo redo find-setting | new-run-* evolve-shown"},
     Menu{"View",
-         "pick-by-hand | panel-* | follow newest-always fit | overlay-* | look-* | ghosts-* | "
+         "pick-by-hand | panel-* | follow newest-always fit | overlay-* | look-* | scenery-* | "
+         "ghosts-* | "
          "theme"},
     Menu{"Help", "help keys tour | about"}};
 

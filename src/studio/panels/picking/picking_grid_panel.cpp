@@ -167,6 +167,7 @@ void PickingGridPanel::build_scene(std::size_t cell, const FrameContext& frame) 
     const GridMotion& motion = frame.picking->motion;
     const RecordedMotion& recorded = motion.cell(cell);
     canvas.frame.clear();
+    canvas.frame.detail = detail_of(frame.window.scenery);
     canvas.frame.background = palette.sky;
     if (recorded.empty()) return;
     const MotionFrame shown = recorded.at(motion.time());
@@ -181,7 +182,7 @@ void PickingGridPanel::build_scene(std::size_t cell, const FrameContext& frame) 
     const CreatureLook look{*recorded.phenotype,  shown.poses, {},
                             creature.genome->hue, {},          shown.stretches,
                             frame.view.look,      character};
-    const DrawnWorld* world = shown_world(frame.view, motion.environment());
+    const DrawnWorld* world = shown_world(frame.view, frame.window.scenery, motion.environment());
     if (world != nullptr) {
         use_world(canvas.frame, *world);
     } else if (frame.view.overlays.grid) {

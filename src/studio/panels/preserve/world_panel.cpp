@@ -4,6 +4,7 @@
 #include "pictures/preserve/world_scene.h"
 #include "preserve/world_time.h"
 #include "studio/frame/help_mark.h"
+#include "studio/look/overlays.h"
 #include "studio/widgets/panel_keys.h"
 #include "studio/widgets/widgets.h"
 
@@ -77,12 +78,13 @@ void WorldPanel::draw(const FrameContext& frame, Requests& out) {
     place_camera(frame);
     aim(out);
     canvas_.frame.clear();
+    canvas_.frame.detail = detail_of(frame.window.scenery);
     const PreserveView& preserve = *frame.preserve;
-    add_world(
-        canvas_.frame, colors(), canvas_.camera, canvas_.size(), preserve.picture,
-        {preserve.picked == nullptr ? 0 : preserve.picked->life.number, preserve.pins.creatures,
-         preserve.energy, frame.view.look,
-         frame.view.overlays.scenery ? std::optional(daytime_of(frame.view.theme)) : std::nullopt});
+    add_world(canvas_.frame, colors(), canvas_.camera, canvas_.size(), preserve.picture,
+              {preserve.picked == nullptr ? 0 : preserve.picked->life.number,
+               preserve.pins.creatures, preserve.energy, frame.view.look,
+               frame.window.scenery != Scenery::kPlain ? std::optional(daytime_of(frame.view.theme))
+                                                       : std::nullopt});
     const ResidentPicture* held = held_ == 0 ? nullptr : preserve.picture.find(held_);
     if (held != nullptr && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
         const Vec2 mouse = canvas_.mouse_in_world();

@@ -96,7 +96,8 @@ Character shown_character(const FrameContext& frame) {
 }
 
 const DrawnWorld* world_around(const FrameContext& frame) {
-    return shown_world(frame.view, frame.viewer.playback.creature().replay().environment());
+    return shown_world(frame.view, frame.window.scenery,
+                       frame.viewer.playback.creature().replay().environment());
 }
 
 // Returns the window with the displayed creature and, in a contest, with the cube and the opponent.
@@ -127,6 +128,7 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
     note_place("viewport");
     ImGui::SetItemAllowOverlap();
     canvas_.frame.clear();
+    canvas_.frame.detail = detail_of(frame.window.scenery);
     canvas_.frame.background = colors().sky;
     if (!frame.viewer.playback.empty()) {
         handle_mouse(frame, out);

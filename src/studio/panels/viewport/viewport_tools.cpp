@@ -11,7 +11,7 @@ namespace {
 
 // Draws one switch for each overlay. The menu stays open while several are switched.
 void overlay_lines(const FrameContext& frame, Requests& out) {
-    action_items("look-*", frame, out);
+    action_items("look-* | scenery-*", frame, out);
     ImGui::Separator();
     for (const OverlayKind& overlay : overlay_kinds()) {
         bool shown = frame.view.overlays.*overlay.shown;
