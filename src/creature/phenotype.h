@@ -82,6 +82,7 @@ struct Phenotype {
     bool can_move() const;
     std::size_t deformers() const;  // number of parts that deform
     bool has_live_control = false;
+    bool sees = false;  // whether a sensor reads light
 
     double mass(double density) const;  // kg
     double rest_length() const;         // m, greatest distance between two corners at rest

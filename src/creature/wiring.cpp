@@ -195,6 +195,7 @@ private:
             const WiredSensor sensor = wired_sensor(slot / channel_count_, slot % channel_count_);
             phenotype_.plan.parts[sensor.part].measures_forces |=
                 kinds_.sensors[sensor.kind].reads_forces;
+            phenotype_.sees |= kinds_.sensors[sensor.kind].sees;
             phenotype_.sensors.push_back(sensor);
         }
         network_.sensor_count = phenotype_.sensors.size();

@@ -30,7 +30,7 @@ void add_mouth_organ(OrganRegistry& organs) {
                 .act = eat,
                 .words = mouth_in_words,
                 .place = kFarEnd,
-                .mark = OrganMark::kArcs,
+                .mark = OrganMark::kMouth,
                 .eats = true});
 }
 

@@ -40,7 +40,7 @@ struct OrganSite {
 };
 
 // How an organ is drawn on its part.
-enum class OrganMark : std::uint8_t { kArcs, kDots, kArrows };
+enum class OrganMark : std::uint8_t { kArcs, kDots, kArrows, kMouth };
 
 struct OrganKind {
     // Uses a signal (within +-10, weight included) for one tick. Adds at most one sound and one

@@ -33,6 +33,14 @@ void SceneFrame::add_ring(const Vec2& center, double radius, double width, const
                       .outline = color});
 }
 
+void SceneFrame::add_glow(const Vec2& center, double radius, const Color& color) {
+    shapes.push_back({.center = center,
+                      .half_extents = Vec2::Constant(0.5 * radius),
+                      .radius = 0.5 * radius,
+                      .blur = 0.5 * radius,
+                      .fill = color});
+}
+
 void SceneFrame::add_arc(const Vec2& center, double radius, const std::array<double, 2>& angles,
                          double width, const Color& color) {
     constexpr double longest = 0.2;  // rad; longest arc drawn as a straight line

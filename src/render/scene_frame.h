@@ -44,6 +44,8 @@ struct SceneFrame {
     void add_line(const Vec2& from, const Vec2& to, double width, const Color& color);
     void add_circle(const Vec2& center, double radius, const Color& fill);
     void add_ring(const Vec2& center, double radius, double width, const Color& color);
+    // Adds a disc that fades from its centre to nothing at the radius.
+    void add_glow(const Vec2& center, double radius, const Color& color);
     // Adds an arc from the first angle to the second (rad).
     void add_arc(const Vec2& center, double radius, const std::array<double, 2>& angles,
                  double width, const Color& color);

@@ -60,6 +60,7 @@ void add_light_sensor(SensorRegistry& sensors) {
                               {"light", "Light, intensity"}},
                  .read = read_light,
                  .spot = light_spot,
+                 .sees = true,
                  .usual = false});
 }
 

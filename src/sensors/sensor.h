@@ -52,6 +52,7 @@ struct SensorKind {
     double time_constant = 0.0;  // s, time constant of smoothing; 0 for none
     bool reads_forces = false;   // needs PlannedPart::measures_forces
     bool smells = false;         // reads Surroundings::scent
+    bool sees = false;           // reads Surroundings::light
     bool usual = true;           // enabled in founders and mutations by default
 };
 

@@ -1,6 +1,7 @@
 #include "pictures/scene/living_look.h"
 
 #include "pictures/scene/moment.h"
+#include "pictures/scene/organ_features.h"
 #include "render/opengl/framebuffer.h"
 #include "render/opengl/offscreen_context.h"
 #include "render/opengl/pixels.h"
@@ -36,6 +37,10 @@ Vec2 eye_at_rest(const Phenotype& phenotype, const Eyes& eyes, std::size_t which
     const Vec2& place = eyes.places[which];
     return transform(phenotype.plan.parts[eyes.part].rest_pose, {place.x(), place.y(), 0.0})
         .head<2>();
+}
+
+double part_angle(const Subject& subject, std::size_t part) {
+    return planar_angle(subject.phenotype().plan.parts[part].rest_pose);
 }
 
 Vec2 middle_at_rest(const Phenotype& phenotype) {
@@ -161,6 +166,52 @@ TEST_CASE("a creature looks where it goes and sleeps where it stays", "[pictures
     follow_path(climbing, path, {1.0, 3.0}, 1.0);
     CHECK_FALSE(climbing.asleep);
     CHECK(climbing.gaze.y() > 0.9);
+}
+
+TEST_CASE("a mouth opens at the end of its part, and its teeth are in it", "[pictures][look]") {
+    const Subject subject = walking_crawler();
+    Phenotype eater = subject.phenotype();
+    eater.organs = {{.part = 0, .place = 1.0, .mark = OrganMark::kMouth}};
+    const std::vector<Pose> poses(eater.parts.size(), planar_pose(0.0, 0.0, 0.0));
+    CreatureLook look{eater, poses};
+    const auto shapes = [&] {
+        SceneFrame frame;
+        add_organ_features(frame, look, 1e-3);
+        REQUIRE(frame.shapes.size() == 3);
+        return frame.shapes;
+    };
+    const std::vector<Shape> closed = shapes();
+    look.bites = true;
+    const std::vector<Shape> open = shapes();
+    CHECK(open[0].half_extents.x() > 2.0 * closed[0].half_extents.x());
+    const Vec2 half = eater.plan.parts[0].half_extents.head<2>();
+    for (const std::vector<Shape>& mouth : {closed, open}) {
+        CHECK(mouth[0].center.x() > 0.5 * half.x());
+        CHECK(mouth[0].center.x() + mouth[0].half_extents.x() <= half.x());
+        for (const std::size_t tooth : {1U, 2U})
+            CHECK(((mouth[tooth].center - mouth[0].center).cwiseAbs().array() <
+                   mouth[0].half_extents.array())
+                      .all());
+    }
+}
+
+TEST_CASE("a swimmer that turns looks where its head points", "[pictures][look]") {
+    const Subject subject = walking_crawler();
+    const auto pupil = [&](double angle) {
+        std::vector<Pose> poses;
+        for (const PlannedPart& part : subject.phenotype().plan.parts)
+            poses.push_back(part.rest_pose);
+        CreatureLook look{subject.phenotype(), poses};
+        look.character.walks = false;
+        const Eyes eyes = eyes_of(look.phenotype, look.character);
+        poses[eyes.part] = planar_pose(0.0, 0.0, part_angle(subject, eyes.part) + angle);
+        SceneFrame frame;
+        add_being(frame, palette_of(ThemeKind::kDark), Camera{{0.0, 0.0}, 2000.0}, look);
+        const std::size_t count = frame.shapes.size();  // ball, iris, pupil, light
+        return Vec2(frame.shapes[count - 2].center - frame.shapes[count - 4].center).normalized();
+    };
+    CHECK(pupil(0.0).x() > 0.99);
+    CHECK(pupil(1.5707963).y() > 0.99);
 }
 
 TEST_CASE("Mechanics shows boxes only, Life a skin with eyes, Glass both", "[pictures][look]") {

@@ -102,6 +102,36 @@ TEST_CASE("where edges meet, creatures near them are drawn and picked on both si
     CHECK(image_near(walled.area, {19.0, 0.0}, {-19.0, 1.0}) == Vec2(19.0, 0.0));
 }
 
+TEST_CASE("births and deaths are seen for a moment, where they were", "[pictures][preserve]") {
+    PreservePicture picture;
+    picture.area = {40.0, 25.0};
+    picture.residents = {resident(3.0, 10.0)};
+    picture.residents[0].life.born = 600;
+    Life dead;
+    dead.number = 7;
+    dead.died = 660;
+    dead.x = -5.0;
+    dead.mass = 0.3;
+    picture.died = std::make_shared<const std::vector<Life>>(std::vector{dead});
+    Camera camera;
+    camera.pixels_per_metre = 20.0;
+    const auto near = [&](std::uint64_t tick, double x) {
+        picture.tick = tick;
+        SceneFrame frame;
+        add_world(frame, palette_of(ThemeKind::kDark), camera, {800.0, 500.0}, picture, {});
+        return std::count_if(frame.shapes.begin(), frame.shapes.end(), [&](const Shape& shape) {
+            return (shape.center - Vec2(x, 0.0)).norm() < 1.5;
+        });
+    };
+    const auto quiet = near(599, 3.0);
+    CHECK(near(600, 3.0) > quiet + 5);
+    CHECK(near(650, 3.0) > quiet + 5);
+    CHECK(near(660, 3.0) == quiet);
+    const auto alive = near(659, -5.0);
+    CHECK(near(661, -5.0) > alive + 3);
+    CHECK(near(800, -5.0) == alive);
+}
+
 TEST_CASE("the plants of a meadow stand on the ground, from wherever they are seen",
           "[pictures][preserve]") {
     PreservePicture picture;

@@ -29,7 +29,8 @@ Result<bool> PastWorld::go_to(std::uint64_t tick, ThreadPool& pool,
         if (preserve_->ticks() >= tick) return true;
         if (!goes_on(preserve_->ticks())) return false;
         preserve_->tick(pool);
-        preserve_->take_chronicle();
+        const Chronicle happened = preserve_->take_chronicle();
+        died_.insert(died_.end(), happened.died.begin(), happened.died.end());
     }
 }
 

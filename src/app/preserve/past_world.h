@@ -27,6 +27,7 @@ public:
     Result<bool> go_to(std::uint64_t tick, ThreadPool& pool,
                        const std::function<bool(std::uint64_t)>& goes_on);
     const Preserve& preserve() const { return *preserve_; }
+    const std::vector<Life>& died() const { return died_; }  // since it began
 
 private:
     PastWorld(std::unique_ptr<Preserve> preserve, std::vector<Intervention> interventions)
@@ -37,6 +38,7 @@ private:
     std::unique_ptr<Preserve> preserve_;
     std::vector<Intervention> interventions_;
     std::span<const Intervention> left_;
+    std::vector<Life> died_;
 };
 
 }  // namespace cambrian

@@ -87,6 +87,7 @@ public:
     Image picture() {
         PreservePicture picture;
         camera_.take(world_.preserve(), picture);
+        picture.died = std::make_shared<const std::vector<Life>>(world_.died());
         const std::string name = std::filesystem::path(drawing_.file).stem().string();
         draw_world_frame(canvas_, drawing_.palette, picture, capitalized(name));
         return canvas_.finish();

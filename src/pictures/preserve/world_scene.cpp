@@ -23,10 +23,15 @@ constexpr double kStalkWidth = 0.035;   // m
 constexpr double kStalkPixels = 1.2;    // least width
 constexpr double kLeaf = 0.09;          // m; how far a leaf reaches to its side
 constexpr double kWallPixels = 3.0;
+constexpr double kBirthShown = 0.9;  // s for which a birth is seen
+constexpr double kDeathShown = 1.8;  // s
+constexpr double kMealShown = 0.15;  // s for which a mouth stays open
 const Color kPlantColor = color_of(0x2FA36B);
 const Color kPatchColor = color_of(0xE8C468);
 const Color kStalkColor = color_of(0x2C7A54);
 const Color kFleshColor = color_of(0xC8553D);
+const Color kHatchColor = color_of(0xFFF1C4);
+const Color kDustColor = color_of(0xD8CFC4);
 
 // Paints what is beyond the walls and, unless scenery shows it, below the ground, and the walls.
 void add_walls(SceneFrame& frame, const Palette& palette, const Camera& camera,
@@ -152,9 +157,28 @@ Shape shape_of(const Rectangle& part) {
 // What all creatures of a picture have in common.
 struct ShownWorld {
     LookMode mode = LookMode::kLife;
-    bool walks = false;
-    double time = 0.0;  // s
+    const WorldArea& area;
+    std::uint64_t tick = 0;
+
+    double time() const { return static_cast<double>(tick) * kBrainTick; }  // s
+    double seconds_since(std::uint64_t when) const {
+        return when > tick ? 1e9 : static_cast<double>(tick - when) * kBrainTick;
+    }
 };
+
+Character character_in(const ResidentPicture& resident, const ShownWorld& world) {
+    constexpr double kTelling = 0.3;  // body sizes from its birthplace, which tell its way
+    Character character;
+    character.line = resident.life.lineage;
+    character.walks = world.area.has_ground;
+    character.time = world.time() + static_cast<double>(resident.life.number % 7) * 0.5;
+    const double size = body_size(*resident.phenotype);
+    const Vec3 born(resident.life.x, resident.life.y, 0.0);
+    const double gone = world.area.torus().shortest(resident.center - born).x();
+    if (character.walks && gone < -kTelling * size) character.way = {-1.0, 0.0};
+    look_along(character, resident.velocity.head<2>(), size);
+    return character;
+}
 
 void add_simple_body(SceneFrame& frame, const Palette& palette, const Camera& camera,
                      const ResidentPicture& resident, double hue) {
@@ -202,11 +226,13 @@ void add_detailed_body(SceneFrame& frame, const Palette& palette, const Camera& 
         .phenotype = *resident.phenotype, .poses = poses, .hue = hue, .stretches = stretches};
     look.mode = world.mode;
     look.bitten = resident.bitten;
-    look.character.line = resident.life.lineage;
-    look.character.walks = world.walks;
-    look.character.time = world.time + static_cast<double>(resident.life.number % 7) * 0.5;
+    look.bites = resident.fed != 0 && world.seconds_since(resident.fed) < kMealShown;
+    look.character = character_in(resident, world);
     add_being(frame, palette, camera, look);
     if (!resident.bitten) return;
+    // A ring too, so that a bite is not told by colours alone.
+    frame.add_ring(resident.center.head<2>(), 1.1 * reach_of(resident), 2.0 * camera.pixel(),
+                   palette.danger);
     for (const Rectangle& part : resident.parts) {
         Shape shape = shape_of(part);
         shape.outline_width = 2.0 * camera.pixel();
@@ -257,6 +283,49 @@ void add_food(SceneFrame& frame, const Camera& camera, const PreservePicture& pi
     }
 }
 
+// Where a creature was born, a ring and shards of a shell fly apart.
+void add_birth(SceneFrame& frame, const Camera& camera, const ResidentPicture& resident,
+               const ShownWorld& world) {
+    constexpr int kShards = 7;
+    const double age = world.seconds_since(resident.life.born) / kBirthShown;
+    if (resident.life.born == 0 || age >= 1.0) return;
+    const auto left = static_cast<float>((1.0 - age) * (1.0 - age));
+    const Vec2 center = resident.center.head<2>();
+    const double reach = std::max(reach_of(resident), 4.0 * camera.pixel());
+    frame.add_glow(center, 1.9 * reach, with_alpha(kHatchColor, 0.5F * left));
+    frame.add_ring(center, (0.7 + 0.8 * age) * reach, std::max(0.06 * reach, 1.2 * camera.pixel()),
+                   with_alpha(kHatchColor, 0.9F * left));
+    for (int i = 0; i < kShards; ++i) {
+        const double turn = chance(resident.life.number, 60 + static_cast<std::uint64_t>(i));
+        const auto [sine, cosine] = sine_cosine(2.0 * kPi * (i + 0.6 * turn) / kShards);
+        frame.add_circle(center + (0.6 + (0.6 + turn) * age) * reach * Vec2(cosine, sine),
+                         std::max(0.05 * reach, 0.9 * camera.pixel()),
+                         with_alpha(kHatchColor, left));
+    }
+}
+
+// Where one died, a cloud rises and fades.
+void add_deaths(SceneFrame& frame, const Camera& camera, const PreservePicture& picture,
+                const ShownWorld& world) {
+    constexpr int kPuffs = 6;
+    if (picture.died == nullptr) return;
+    for (const Life& life : *picture.died) {
+        const double age = world.seconds_since(life.died) / kDeathShown;
+        if (age >= 1.0) continue;
+        const double size = std::clamp(std::sqrt(life.mass), 5.0 * camera.pixel(), 1.5);
+        const auto left = static_cast<float>((1.0 - age) * (1.0 - age));
+        const Vec3 place = world.area.torus().shortest({life.x, life.y, 0.0});
+        for (int i = 0; i < kPuffs; ++i) {
+            const auto luck = [&](std::uint64_t use) {
+                return chance(life.number, 80 + 4 * static_cast<std::uint64_t>(i) + use) - 0.5;
+            };
+            const Vec2 away(size * (0.9 + 0.6 * age) * luck(0), size * (0.7 * luck(1) + 0.7 * age));
+            frame.add_glow(place.head<2>() + away, size * (0.35 + 0.4 * age + 0.2 * luck(2)),
+                           with_alpha(kDustColor, 0.55F * left));
+        }
+    }
+}
+
 // Returns whether a creature or one of its images may be in the view.
 bool in_view(const ResidentPicture& resident, const WorldWindow& window,
              std::span<const Vec2> shifts) {
@@ -291,13 +360,13 @@ void add_marks(SceneFrame& frame, const Palette& palette, const Camera& camera,
 void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
                const Viewport& viewport, const PreservePicture& picture, const WorldMarks& marks) {
     frame.background = palette.sky;
-    const double time = static_cast<double>(picture.tick) * kBrainTick;
+    const ShownWorld shown{marks.look, picture.area, picture.tick};
     const bool scenery = marks.scenery && marks.look != LookMode::kMechanics;
     if (scenery) {
         const DrawnWorld& world =
             drawn_world(world_kind_of(picture.laws->world.environment), *marks.scenery);
         if (picture.area.has_ground)
-            add_scenery(frame, world, camera, viewport, time);
+            add_scenery(frame, world, camera, viewport, shown.time());
         else
             use_world(frame, world);
     } else {
@@ -313,12 +382,12 @@ void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
     add_seams(frame, palette, camera, picture.area);
     add_drawn_walls(frame, palette, picture);
     add_food(frame, camera, picture);
-    const ShownWorld world{marks.look, picture.area.has_ground, time};
     for (const ResidentPicture& each : picture.residents) {
         if (!in_view(each, window, shifts)) continue;
         const double hue = lineage_hue(each.life.lineage);
+        add_birth(frame, camera, each, shown);
         if (camera.pixels_per_metre >= kDetailScale) {
-            add_detailed_body(frame, palette, camera, each, hue, world);
+            add_detailed_body(frame, palette, camera, each, hue, shown);
         } else if (marks.look == LookMode::kMechanics) {
             add_simple_body(frame, palette, camera, each, hue);
         } else {
@@ -326,6 +395,7 @@ void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
         }
         add_marks(frame, palette, camera, marks, each);
     }
+    add_deaths(frame, camera, picture, shown);
     repeat_from(first, frame, window, shifts);
 }
 

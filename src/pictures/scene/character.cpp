@@ -163,16 +163,20 @@ Vec2 way_of(const Vec2& travelled, bool walks) {
     return travelled.normalized();
 }
 
+void look_along(Character& character, const Vec2& velocity, double size) {
+    constexpr double kSwift = 0.3;  // body sizes a second
+    // Pupils turn gradually from ahead to the way of a body in motion.
+    const double speed = velocity.norm();
+    if (speed > 0.0) character.gaze = std::min(1.0, speed / (kSwift * size)) / speed * velocity;
+}
+
 void follow_path(Character& character, std::span<const Vec2> path, const Vec2& here, double size) {
+    constexpr double kPathRate = 15.0;  // points a second
     constexpr std::size_t kGlance = 5;  // points; a third of a second
     constexpr std::size_t kRest = 45;   // points; 3 s
     if (path.size() >= kGlance) {
         const Vec2 moved = here - path[path.size() - kGlance];
-        // Pupils turn gradually from ahead to the way of a body in motion.
-        const double haste = std::min(1.0, moved.norm() / (0.1 * size));
-        const Vec2 ahead = character.way;
-        character.gaze = (1.0 - haste) * ahead;
-        if (moved.norm() > 0.0) character.gaze += haste * moved.normalized();
+        look_along(character, moved / (static_cast<double>(kGlance) / kPathRate), size);
     }
     if (path.size() < kRest) return;
     character.asleep = std::all_of(path.end() - kRest, path.end(), [&](const Vec2& point) {

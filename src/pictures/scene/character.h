@@ -30,8 +30,9 @@ struct Character {
     std::span<const Pose> posture = {};
     Vec2 way = Vec2(1.0, 0.0);  // direction in which it travels from there
     bool walks = true;          // on ground; otherwise it swims or flies
-    Vec2 gaze = Vec2::Zero();   // where it looks, in the world; at most 1 long, zero for ahead
-    double time = 0.0;          // s of its trial; it blinks now and then
+    // Where it looks, in the world; at most 1 long. The shorter, the more it looks ahead.
+    Vec2 gaze = Vec2::Zero();
+    double time = 0.0;  // s of its trial; it blinks now and then
     bool asleep = false;
 };
 
@@ -60,6 +61,8 @@ Vec2 way_of(const Vec2& travelled, bool walks);
 void follow_path(Character& character, std::span<const Vec2> path, const Vec2& here, double size);
 inline constexpr std::size_t kPathPoints = 48;  // that follow_path() uses at most
 void look_at(Character& character, const Vec2& from, const Vec2& target);
+// Lets it look along its velocity (m/s), the more the faster it is for its size (m).
+void look_along(Character& character, const Vec2& velocity, double size);
 
 SkinPattern pattern_of(std::uint64_t line);
 // Returns the length of a wave of the pattern as a share of body_size().

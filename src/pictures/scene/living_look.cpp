@@ -1,5 +1,6 @@
 #include "pictures/scene/living_look.h"
 
+#include "pictures/scene/organ_features.h"
 #include "pictures/scene/organ_marks.h"
 #include "pictures/scene/shown_shape.h"
 
@@ -100,6 +101,17 @@ void add_dimples(SceneFrame& frame, const CreatureLook& look, double pixel) {
     }
 }
 
+// Returns the direction in which the head points now.
+Vec2 ahead_of(const CreatureLook& look, std::size_t head) {
+    const Character& character = look.character;
+    if (character.walks) return Vec2(character.way + Vec2(0.0, -0.1)).normalized();
+    const Pose& before = character.posture.empty() ? look.phenotype.plan.parts[head].rest_pose
+                                                   : character.posture[head];
+    const auto [sine, cosine] = sine_cosine(planar_angle(look.poses[head]) - planar_angle(before));
+    const Vec2& way = character.way;
+    return {cosine * way.x() - sine * way.y(), sine * way.x() + cosine * way.y()};
+}
+
 void add_eye(SceneFrame& frame, const CreatureLook& look, const Eyes& eyes, std::size_t which,
              double pixel) {
     const Character& character = look.character;
@@ -124,11 +136,11 @@ void add_eye(SceneFrame& frame, const CreatureLook& look, const Eyes& eyes, std:
     }
     ball.fill = kEyeWhite;
     frame.shapes.push_back(ball);
-    Vec2 gaze = character.gaze;
-    if (gaze.squaredNorm() < 1e-6) gaze = character.way + Vec2(0.0, -0.1);
-    if (gaze.norm() > 1.0) gaze.normalize();
+    // What is left of its attention goes ahead.
+    const Vec2 gaze = character.gaze + (1.0 - character.gaze.norm()) * ahead_of(look, eyes.part);
     const Vec2 iris = at + 0.27 * radius * gaze;
-    frame.add_circle(iris, 0.56 * radius, color_of_hue(look.hue + 0.5, 0.46, 0.11));
+    const double light = look.phenotype.sees ? 0.34 : 0.66;
+    frame.add_circle(iris, 0.56 * radius, color_of_hue(look.hue + 0.5, light, 0.11));
     frame.add_circle(iris + 0.04 * radius * gaze, 0.38 * radius, kPupil);
     frame.add_circle(iris + Vec2(0.17, 0.20) * radius, std::max(0.15 * radius, 0.4 * pixel),
                      with_alpha(kWhite, 0.95F));
@@ -169,10 +181,11 @@ void add_being(SceneFrame& frame, const Palette& palette, const Camera& camera,
     add_skin_of(frame, camera, look, glass ? kGlass : 1.0F);
     add_outlines(frame, look, pixel, glass);
     add_touched(frame, with_alpha(palette.plot_best, glass ? 1.0F : 0.6F), camera, look);
-    add_organ_marks(frame, look.phenotype, look.poses, look.stretches, pixel);
     if (glass) {
+        add_organ_marks(frame, look.phenotype, look.poses, look.stretches, pixel);
         add_joints(frame, camera, look);
     } else {
+        add_organ_features(frame, look, pixel);
         add_dimples(frame, look, pixel);
         add_eyes(frame, look, pixel);
     }

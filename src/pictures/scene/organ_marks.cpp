@@ -77,6 +77,7 @@ void add_organ_marks(SceneFrame& frame, const Phenotype& phenotype, std::span<co
         const Pose& pose = poses[organ.part];
         switch (organ.mark) {
             case OrganMark::kArcs:
+            case OrganMark::kMouth:
                 add_arcs(frame, pose, x, size, pixel);
                 break;
             case OrganMark::kDots:

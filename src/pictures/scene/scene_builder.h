@@ -28,6 +28,7 @@ struct CreatureLook {
     LookMode mode = LookMode::kLife;
     Character character = {};
     bool bitten = false;
+    bool bites = false;  // or eats
 };
 
 // Returns the colour of a part: the lineage's hue with a small shift for each gene node, lighter

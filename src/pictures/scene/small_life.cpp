@@ -10,17 +10,6 @@ namespace {
 constexpr double kDusty = 0.55;  // share of slips that raise dust
 constexpr double kBubbly = 0.12;
 
-// A disc that fades towards its edge.
-void add_puff(SceneFrame& frame, const Vec2& at, double radius, const Color& color, double alpha) {
-    Shape puff;
-    puff.center = at;
-    puff.half_extents = Vec2::Constant(0.5 * radius);
-    puff.radius = 0.5 * radius;
-    puff.blur = 0.5 * radius;
-    puff.fill = with_alpha(color, static_cast<float>(alpha));
-    frame.shapes.push_back(puff);
-}
-
 void add_dust(SceneFrame& frame, std::span<const Scuff> scuffs, double time, const Color& color) {
     for (const Scuff& scuff : scuffs) {
         const auto luck = [&](std::uint64_t purpose) { return chance(scuff.seed, purpose); };
@@ -32,7 +21,7 @@ void add_dust(SceneFrame& frame, std::span<const Scuff> scuffs, double time, con
                                                0.08 * (luck(4) - 0.5),
                                            0.015 + age * (0.10 + 0.22 * luck(2)) * strength);
         const double radius = (0.02 + 0.07 * age * strength) * (0.6 + 0.8 * luck(5));
-        add_puff(frame, at, radius, color, 0.6 * strength * left);
+        frame.add_glow(at, radius, with_alpha(color, static_cast<float>(0.6 * strength * left)));
     }
 }
 
@@ -44,7 +33,8 @@ void add_wake(SceneFrame& frame, std::span<const Scuff> scuffs, double time, con
         const double left = (1.0 - age) * (1.0 - age);
         const double strength = std::min(1.0, scuff.velocity.norm() / 2.2);
         const Vec2 at = scuff.place + 0.10 * age * Vec2(luck(1) - 0.5, luck(2) - 0.2);
-        add_puff(frame, at, 0.012 + 0.045 * age, color, 0.22 * strength * left);
+        frame.add_glow(at, 0.012 + 0.045 * age,
+                       with_alpha(color, static_cast<float>(0.22 * strength * left)));
         if (!in_water || luck(3) > kBubbly) continue;
         const double bubble = 0.008 + 0.012 * luck(4);
         frame.add_ring(at + Vec2(0.03 * (luck(5) - 0.5), 0.12 * age), bubble, 0.3 * bubble,

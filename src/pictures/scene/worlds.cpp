@@ -231,25 +231,14 @@ Vec2 size_of(const WorldWindow& window) {
     return window.high - window.low;
 }
 
-// A disc that fades from its centre to nothing at the radius.
-void add_glow(SceneFrame& frame, const Vec2& center, double radius, const Color& color) {
-    Shape glow;
-    glow.center = center;
-    glow.half_extents = Vec2::Constant(0.5 * radius);
-    glow.radius = 0.5 * radius;
-    glow.blur = 0.5 * radius;
-    glow.fill = color;
-    frame.shapes.push_back(glow);
-}
-
 // The sun stays where it is in the view.
 void add_sun(SceneFrame& frame, const BackdropRecipe& recipe, const WorldWindow& window) {
     if (recipe.body != HeavenlyBody::kSun) return;
     const Vec2 at = window.low + recipe.body_place.cwiseProduct(size_of(window));
     const double radius = recipe.body_radius * size_of(window).y();
     if (frame.detail == Detail::kFull)
-        add_glow(frame, at, 3.2 * radius, with_alpha(recipe.body_color, 0.30F));
-    add_glow(frame, at, 1.7 * radius, with_alpha(recipe.body_color, 0.45F));
+        frame.add_glow(at, 3.2 * radius, with_alpha(recipe.body_color, 0.30F));
+    frame.add_glow(at, 1.7 * radius, with_alpha(recipe.body_color, 0.45F));
     frame.add_circle(at, radius, recipe.body_color);
 }
 
@@ -336,8 +325,8 @@ void add_specks(SceneFrame& frame, const DrawnWorld& world, const Camera& camera
                              color_of(0xFFFFFF, 0.6F));
         } else {
             const double radius = (snow ? 1.4 + 1.8 * draw(4) : 0.8 + 1.3 * draw(4)) * unit;
-            add_glow(frame, at, 2.0 * radius,
-                     with_alpha(world.specks, world.specks.a * static_cast<float>(depth)));
+            frame.add_glow(at, 2.0 * radius,
+                           with_alpha(world.specks, world.specks.a * static_cast<float>(depth)));
         }
     }
 }
@@ -450,9 +439,9 @@ void add_lamp(SceneFrame& frame, const Camera& camera, const Viewport& viewport,
     frame.light.lamp_power = 1.0F;
     const double high = size_of(camera.window(viewport)).y();
     const Color glow = color_of(0xFFD58A);
-    if (frame.detail == Detail::kFull) add_glow(frame, place, 0.45 * high, with_alpha(glow, 0.16F));
-    add_glow(frame, place, 0.20 * high, with_alpha(glow, 0.30F));
-    add_glow(frame, place, 0.07 * high, color_of(0xFFE9BC, 0.75F));
+    if (frame.detail == Detail::kFull) frame.add_glow(place, 0.45 * high, with_alpha(glow, 0.16F));
+    frame.add_glow(place, 0.20 * high, with_alpha(glow, 0.30F));
+    frame.add_glow(place, 0.07 * high, color_of(0xFFE9BC, 0.75F));
     frame.add_circle(place, 0.016 * high, color_of(0xFFF8E6));
 }
 

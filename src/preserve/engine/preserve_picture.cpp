@@ -56,19 +56,29 @@ std::vector<ResidentPicture> PreserveCamera::residents_of(const Preserve& preser
         while (known != known_.end() && known->number < number)
             ++known;
         const bool seen = known != known_.end() && known->number == number;
-        living.push_back({number, seen ? std::move(known->phenotype)
-                                       : std::make_shared<const Phenotype>(each->phenotype())});
+        const Life& life = each->life;
+        const Energy gained = life.eaten_plants + life.eaten_flesh + life.bitten;
+        Known now{number, nullptr, gained, 0};
+        if (seen) {
+            now.phenotype = std::move(known->phenotype);
+            now.fed = gained > known->gained ? preserve.ticks() : known->fed;
+        } else {
+            now.phenotype = std::make_shared<const Phenotype>(each->phenotype());
+        }
+        living.push_back(std::move(now));
         const Vec3 center = torus.shortest(each->center());
         std::vector<Rectangle> parts;
         for (const Rectangle& part : each->rectangles())
             parts.push_back(moved(part, center - each->center()));
         pictures.push_back(
-            {.life = each->life,
+            {.life = life,
              .store = joules(each->store),
              .body = joules(each->body),
              .birth_need = (2.0 * laws.birth_energy + laws.body_energy) * each->life.mass,
              .bitten = each->bitten,
+             .fed = living.back().fed,
              .center = center,
+             .velocity = each->velocity(),
              .parts = std::move(parts),
              .phenotype = living.back().phenotype});
     }

@@ -27,7 +27,9 @@ struct ResidentPicture {
     double body = 0.0;           // J
     double birth_need = 0.0;     // J in store above which it may bear a child of its size
     bool bitten = false;         // in the last tick
+    std::uint64_t fed = 0;       // tick of the first picture after it last ate or bit; 0: none did
     Vec3 center = Vec3::Zero();  // m; where edges meet, of the image in the area
+    Vec3 velocity = Vec3::Zero();  // m/s, of the centre of mass
     std::vector<Rectangle> parts;
     std::shared_ptr<const Phenotype> phenotype;
 };
@@ -75,7 +77,8 @@ struct PreservePicture {
     const ResidentPicture* find(std::uint64_t number) const;
 };
 
-// Takes pictures of one preserve; keeps the phenotypes of the living, which pictures share.
+// Takes pictures of one preserve; keeps the phenotypes of the living, which pictures share, and
+// when they ate.
 class PreserveCamera {
 public:
     // Fills in what there is to see of the world at this moment: all but who plays it, and how.
@@ -90,6 +93,8 @@ private:
     struct Known {
         std::uint64_t number = 0;
         std::shared_ptr<const Phenotype> phenotype;
+        Energy gained = 0;      // by eating and biting
+        std::uint64_t fed = 0;  // as in its picture
     };
     std::vector<Known> known_;  // in ascending order
     std::uint64_t watched_ = 0;
