@@ -88,7 +88,7 @@ void StudioController::use_assets(const std::filesystem::path& folder) {
 void StudioController::update(double now, double elapsed) {
     services_.feedback.set_time(now);
     services_.worker.deliver();
-    files_.update();
+    files_.update(elapsed);
     experiment_.poll();
     generations_.log_finished();
     experiment_.follow_status();
@@ -134,8 +134,8 @@ bool StudioController::animating() const {
     const Notice* notice = services_.feedback.notice();
     const bool fading = notice != nullptr && notice->kind == NoticeKind::kDone;
     const bool moving = preserve_.world_shown() ? preserve_.animating() : viewer_.animating();
-    return moving || picking_.on() || experiment_.open().running() || comparison_.facts().running ||
-           !services_.worker.idle() || fading;
+    return moving || files_.animating() || picking_.on() || experiment_.open().running() ||
+           comparison_.facts().running || !services_.worker.idle() || fading;
 }
 
 }  // namespace cambrian

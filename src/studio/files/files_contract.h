@@ -55,12 +55,16 @@ struct SaveScreenshot {
     std::filesystem::path path;  // empty for a new name in the user's folder of pictures
 };
 struct ToggleSamples {};
+// Lets a sample move on its tile; an empty path ends that.
+struct WatchSample {
+    std::filesystem::path path;
+};
 
 using FilesRequest =
     std::variant<OpenFilePanel, CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile, SaveCell,
                  SaveResident, SavePiece, SavePreserveFile, SaveExperimentFile, OpenPreviousRun,
                  SaveSettingsFile, SaveStatisticsFile, SavePlotPicture, SaveScreenshot,
-                 ToggleSamples>;
+                 ToggleSamples, WatchSample>;
 
 struct FilesView {
     const FileBrowser& browser;

@@ -2,6 +2,7 @@
 
 #include "core/text/counted.h"
 #include "core/text/pretty_text.h"
+#include "evolution/evaluation/trials.h"
 #include "persist/creature/creature_card.h"
 #include "studio/background/people_words.h"
 #include "studio/experiment/timeline_plots.h"
@@ -9,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cctype>
 #include <utility>
 
@@ -119,9 +121,11 @@ struct FilesController::Handler {
     }
     void operator()(const SavePlotPicture& request) const { self.orders_.plot = request; }
     void operator()(const SaveScreenshot& request) const { self.orders_.screenshot = request; }
+    void operator()(const WatchSample& request) const { self.watch_sample(request.path); }
     // The folder is read each time, so that creatures added meanwhile are found.
     void operator()(const ToggleSamples&) const {
         self.samples_.open = !self.samples_.open;
+        self.watch_sample({});
         if (!self.samples_.open) return;
         FilesController& controller = self;
         self.services_.worker.submit([&controller, folder = self.samples_folder_,
@@ -232,7 +236,23 @@ FilesController::FilesController(const Services& services, ViewState& view,
     browser_.listing.folder = std::filesystem::current_path();
 }
 
-void FilesController::update() {
+void FilesController::watch_sample(const std::filesystem::path& path) {
+    samples_.watched = path;
+    samples_.motion = nullptr;
+    sample_motion_.reset();
+    const auto sample =
+        std::find_if(samples_.samples.begin(), samples_.samples.end(),
+                     [&](const Sample& each) { return each.path == path && each.phenotype; });
+    if (sample == samples_.samples.end()) return;
+    const ExperimentSettings& settings = *sample->creature.settings;
+    sample_motion_.emplace(services_.kinds.creature);
+    sample_motion_->show({sample->creature.individual}, settings.expression,
+                         first_trial_world(settings));
+    samples_.motion = &*sample_motion_;
+}
+
+void FilesController::update(double elapsed) {
+    if (sample_motion_) sample_motion_->advance(elapsed);
     for (FileEvent& event : file_service_.take_events())
         std::visit(Receiver{*this}, event);
 }

@@ -35,8 +35,11 @@ public:
     // The references in `services`, and `view`, must outlive the controller.
     FilesController(const Services& services, ViewState& view, const FileSubjects& subjects);
 
-    // Must be called once a frame; handles finished reads and writes.
-    void update();
+    // Must be called once a frame, `elapsed` seconds after the last one; handles finished reads and
+    // writes.
+    void update(double elapsed);
+    // Whether a sample moves.
+    bool animating() const { return samples_.motion != nullptr; }
     void carry_out(const FilesRequest& request);
     FilesView facts() const { return {.browser = browser_, .samples = &samples_}; }
 
@@ -61,6 +64,7 @@ private:
     struct Receiver;
     bool may_open(FileTask task);
     std::string suggested_name(FileTask task) const;
+    void watch_sample(const std::filesystem::path& path);
     void show(const CreatureDocument& document, ExhibitSource source,
               const std::filesystem::path& path);
     CreatureDocument displayed_document() const;
@@ -72,6 +76,7 @@ private:
     FileBrowser browser_;
     std::filesystem::path samples_folder_;
     SampleLibrary samples_;
+    std::optional<GridMotion> sample_motion_;  // of the sample that is watched
     PictureOrders orders_;
     bool reopening_ = false;
 };

@@ -39,6 +39,7 @@ Sample read_sample(const std::filesystem::path& path, const EvolutionKinds& kind
     if (!genome.name.empty()) sample.title = on_one_line(genome.name);
     sample.account = account_of(*document, kinds);
     sample.hue = genome.hue;
+    sample.creature = document->creature;
     sample.phenotype = std::make_shared<const Phenotype>(
         express(genome, kinds.creature, settings.expression, settings.world.scene));
     return sample;

@@ -3,7 +3,9 @@
 // The sample creatures that come with the program.
 
 #include "creature/phenotype.h"
+#include "evolution/individual/judged_individual.h"
 #include "evolution/kinds/evolution_kinds.h"
+#include "studio/hand_picking/grid_motion.h"
 
 #include <filesystem>
 #include <memory>
@@ -18,12 +20,16 @@ struct Sample {
     std::string account;  // "Walking, 2.31 m", or why the file cannot be opened
     double hue = 0.0;
     std::shared_ptr<const Phenotype> phenotype;  // null if the file cannot be opened
+    JudgedIndividual creature = {};              // with the settings of its file; the same
 };
 
 struct SampleLibrary {
     bool open = false;
     bool read = false;  // whether the folder was read
     std::vector<Sample> samples;
+    // The one that is watched, and its motion; empty and null if none is.
+    std::filesystem::path watched;
+    const GridMotion* motion = nullptr;
 };
 
 // Returns the creatures of a folder sorted by title, those that cannot be opened last. The result

@@ -119,22 +119,45 @@ void TilePictures::paint(const TileWish& wish, const Place& place) {
     camera.center = (0.5 * (bounds.low + bounds.high) + lift).head<2>();
     camera.pixels_per_metre = std::min({wish.width / size.x(), wish.height / size.y(),
                                         kMostScale * static_cast<double>(ui().scale)});
+    const int column = static_cast<int>(place.cell % page.columns());
+    const int row = static_cast<int>(place.cell / page.columns());
+    draw(wish, poses, camera, page.texture,
+         {column * page.width, row * page.height, page.width, page.height});
+}
+
+void TilePictures::draw(const TileWish& wish, std::span<const Pose> poses, const Camera& camera,
+                        const PaintedTexture& texture, const PixelRect& target) {
     CreatureLook look{wish.phenotype, poses};
     look.hue = wish.hue;
+    if (wish.moment != nullptr) {
+        look.character = wish.moment->character;
+        look.stretches = wish.moment->stretches;
+    }
     look.character.line = wish.line;
     SceneFrame frame;
     // Transparent, in the colour of outlines, which edges fade to.
     frame.background = color_of(0x2A211C, 0.0F);
     add_being(frame, colors(), camera, look);
-    const Bound bound(page.texture);
-    const int column = static_cast<int>(place.cell % page.columns());
-    const int row = static_cast<int>(place.cell / page.columns());
-    renderer_.draw(frame, camera,
-                   {column * page.width, row * page.height, page.width, page.height});
+    const Bound bound(texture);
+    renderer_.draw(frame, camera, target);
+}
+
+std::optional<TilePicture> TilePictures::moving(const TileWish& wish) {
+    std::optional<PaintedTexture>& texture = moving_[turn_++ % moving_.size()];
+    if (!texture || texture->width() != wish.width || texture->height() != wish.height) {
+        texture.reset();
+        auto made = PaintedTexture::create(wish.width, wish.height);
+        if (!made) return std::nullopt;
+        texture.emplace(std::move(*made));
+    }
+    draw(wish, wish.moment->poses, wish.moment->camera, *texture, {0, 0, wish.width, wish.height});
+    return TilePicture{
+        std::bit_cast<ImTextureID>(std::uintptr_t{texture->name()}), {0.0F, 1.0F}, {1.0F, 0.0F}};
 }
 
 std::optional<TilePicture> TilePictures::of(const TileWish& wish) {
     if (wish.width > kPageSide || wish.height > kPageSide) return std::nullopt;
+    if (wish.moment != nullptr) return moving(wish);
     const Key key = key_of(wish);
     auto found = places_.find(key);
     if (found == places_.end()) {

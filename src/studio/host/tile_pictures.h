@@ -7,9 +7,12 @@
 #include "render/renderer.h"
 #include "studio/look/ui_context.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace cambrian {
@@ -21,7 +24,8 @@ public:
     explicit TilePictures(Renderer& renderer) : renderer_(renderer) {}
 
     // Returns a picture, drawn now if it was never asked for or was given up since. Nothing if it
-    // is too large. Pictures that were not asked for lately are given up for others.
+    // is too large. Pictures that were not asked for lately are given up for others. That of a
+    // moment is drawn each time, and the next one but one replaces it.
     std::optional<TilePicture> of(const TileWish& wish);
 
 private:
@@ -53,11 +57,18 @@ private:
     static Key key_of(const TileWish& wish);
     std::optional<std::size_t> page_for(int width, int height);
     void paint(const TileWish& wish, const Place& place);
+    std::optional<TilePicture> moving(const TileWish& wish);
+    // Draws a body into a rectangle of a texture.
+    void draw(const TileWish& wish, std::span<const Pose> poses, const Camera& camera,
+              const PaintedTexture& texture, const PixelRect& target);
 
     Renderer& renderer_;
     std::vector<Page> pages_;
     std::map<Key, Place> places_;
     std::uint64_t wishes_ = 0;
+    // Used in turn: where a texture stays the same, the window is not painted anew.
+    std::array<std::optional<PaintedTexture>, 2> moving_;
+    std::size_t turn_ = 0;
 };
 
 }  // namespace cambrian

@@ -5,6 +5,7 @@
 
 #include "core/image.h"
 #include "pictures/scene/character.h"
+#include "render/camera.h"
 #include "studio/look/foreign_letters.h"
 #include "studio/look/theme.h"
 
@@ -14,6 +15,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -62,13 +64,21 @@ struct KeyboardFocus {
     const ImGuiWindow* layer = nullptr;  // the window whose controls alone count; null for all
 };
 
-// A body at rest as a small picture.
+// A moment of a body's motion.
+struct TileMoment {
+    std::span<const Pose> poses;
+    std::span<const double> stretches;
+    Character character;
+    Camera camera;
+};
+// A body as a small picture, at rest unless there is a moment.
 struct TileWish {
     const Phenotype& phenotype;
     double hue = 0.0;        // turns
     std::uint64_t line = 0;  // of its founder
     int width = 1;           // pixels
     int height = 1;
+    const TileMoment* moment = nullptr;
 };
 // Where the picture is: a texture and the corners of its part of it, the upper left one first.
 struct TilePicture {

@@ -1,5 +1,7 @@
 #include "studio/widgets/creature_tile.h"
 
+#include "pictures/scene/follow_camera.h"
+#include "pictures/scene/moment.h"
 #include "pictures/scene/scene_builder.h"
 
 #include <algorithm>
@@ -30,13 +32,14 @@ Bounds bounds_at_rest(const BodyPlan& plan) {
 
 // Returns whether a picture of the living body was drawn.
 bool draw_living_tile(ImDrawList& list, const Rect& area, const Phenotype& phenotype, double hue,
-                      std::uint64_t line) {
+                      std::uint64_t line, const TileMoment* moment = nullptr) {
     if (ui().look == LookMode::kMechanics || !ui().tile_of) return false;
     const ImVec2 low = {std::floor(area.x), std::floor(area.y)};
     const int width = static_cast<int>(area.width);
     const int height = static_cast<int>(area.height);
     if (width < 1 || height < 1) return false;
-    const auto picture = ui().tile_of({phenotype, hue, line_or_hue(line, hue), width, height});
+    const auto picture =
+        ui().tile_of({phenotype, hue, line_or_hue(line, hue), width, height, moment});
     if (!picture) return false;
     list.AddImage(picture->texture, low,
                   {low.x + static_cast<float>(width), low.y + static_cast<float>(height)},
@@ -72,6 +75,26 @@ void draw_creature_tile(ImDrawList& list, const Rect& area, const Phenotype& phe
         list.AddPolyline(outline.data(), 4, paint(mix(color, color_of(0x000000), 0.4F)),
                          ImDrawFlags_Closed, 1.0F);
     }
+}
+
+void draw_moving_tile(ImDrawList& list, const Rect& area, const RecordedMotion& motion,
+                      const Individual& creature, double time, bool walks) {
+    if (motion.empty()) return;
+    constexpr double kShare = 0.92;  // of the tile, for the body
+    const Viewport size{static_cast<double>(area.width), static_cast<double>(area.height)};
+    const MotionFrame shown = motion.at(time);
+    TileMoment moment{shown.poses, shown.stretches, character_of(motion, walks, time), {}};
+    Camera& camera = moment.camera;
+    camera.pixels_per_metre = scale_to_fit(motion, {0.0, 0.0, size.width, size.height}, kShare);
+    camera.center = shown.center_of_mass.head<2>();
+    // The ground stays at the lower edge.
+    const double half = 0.5 * size.height * camera.pixel();
+    if (walks) {
+        const double highest = body_window(*motion.phenotype, shown.poses).high.y();
+        camera.center.y() = std::max(half - 3.0 * camera.pixel(), highest - half);
+    }
+    const double hue = creature.genome->hue;
+    draw_living_tile(list, area, *motion.phenotype, hue, creature.line, &moment);
 }
 
 int tiles_across(float room, float width, float gap) {

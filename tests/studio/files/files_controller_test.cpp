@@ -1,6 +1,7 @@
 #include "studio/files/files_controller.h"
 
 #include "evolution/evaluation/trials.h"
+#include "persist/creature/creature_file.h"
 #include "persist/records/statistics_csv.h"
 #include "studio_fixture.h"
 #include "studio_run.h"
@@ -40,6 +41,30 @@ TEST_CASE("a plot is requested from the window in the chosen size", "[studio][fi
     REQUIRE(request);
     CHECK(request->size.height == 1080);
     CHECK_FALSE(run.studio.files().take_orders().plot);
+}
+
+TEST_CASE("a sample moves as long as it is watched", "[studio][files][samples]") {
+    StudioRun run;
+    const auto path = run.folder.path() / "crawler.creature.json";
+    const CreatureDocument document{unjudged(test::crawler(test::kinds().creature.catalog))};
+    REQUIRE(save_creature(path, document, test::kinds()));
+    run.studio.files().use_samples(run.folder.path());
+    run.ask(ToggleSamples{});
+    const auto library = [&]() -> const SampleLibrary& {
+        return *run.studio.frame_context().files.samples;
+    };
+    REQUIRE(run.frames_until([&] { return library().read; }));
+    CHECK(library().motion == nullptr);
+    run.ask(WatchSample{path});
+    CHECK(library().watched == path);
+    REQUIRE(run.frames_until(
+        [&] { return library().motion != nullptr && library().motion->time() > 0.5; }));
+    CHECK(library().motion->cell(0).frames.size() > 30);
+    CHECK(run.studio.animating());
+    run.ask(WatchSample{});
+    CHECK(library().motion == nullptr);
+    run.ask(WatchSample{run.folder.path() / "missing.creature.json"});
+    CHECK(library().motion == nullptr);
 }
 
 TEST_CASE("a saved creature loads as the same creature", "[studio][files]") {

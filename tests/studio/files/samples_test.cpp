@@ -41,6 +41,30 @@ TEST_CASE("every creature that comes with the program can be opened", "[studio][
     }
 }
 
+TEST_CASE("the sample under the pointer is watched, until the pointer leaves it",
+          "[studio][samples]") {
+    NullImGui gui;
+    SamplesPanel panel;
+    const test::StudioFixture studio;
+    const auto body = std::make_shared<const Phenotype>(
+        express(*test::crawler(test::kinds().creature.catalog), test::kinds().creature, {}, {}));
+    SampleLibrary library;
+    library.samples = {{"/a.creature.json", "Crawler", "Walking, 2 m", 0.2, body},
+                       {"/b.creature.json", "Hopper", "Jumping, 1 m", 0.4, body}};
+    FrameContext frame = studio.frame();
+    frame.files.samples = &library;
+    Requests out;
+    const auto draw = [&] { panel.draw(frame, out); };
+    gui.frame(draw);
+    gui.move_to(gui.place("sample Hopper").center());
+    gui.frame(draw);
+    CHECK(test::asked<WatchSample>(out).path == "/b.creature.json");
+    library.watched = "/b.creature.json";
+    gui.move_to({-1.0F, -1.0F});
+    gui.frame(draw);
+    CHECK(test::asked<WatchSample>(out).path.empty());
+}
+
 TEST_CASE("a click on a sample opens it", "[studio][samples]") {
     NullImGui gui;
     SamplesPanel panel;

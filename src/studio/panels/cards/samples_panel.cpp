@@ -17,7 +17,7 @@ constexpr float kSampleWidth = 172.0F;
 constexpr float kSampleHeight = 138.0F;
 constexpr float kSampleGap = 10.0F;
 
-bool draw_tile(const Sample& sample, bool aimed) {
+bool draw_tile(const Sample& sample, const SampleLibrary& library, bool aimed, Requests& out) {
     const std::string name = "sample " + sample.title;
     ImGui::PushID(sample.path.c_str());
     const bool pressed =
@@ -30,8 +30,16 @@ bool draw_tile(const Sample& sample, bool aimed) {
     const bool hovered = ImGui::IsItemHovered();
     list.AddRectFilled(low, high, paint(hovered ? colors().hovered : colors().raised), px(8));
     if (aimed) list.AddRect(low, high, paint(colors().accent), px(8), 0, px(2));
-    draw_creature_tile(list, {low.x + px(14), low.y + px(12), px(kSampleWidth - 28), px(76)},
-                       *sample.phenotype, sample.hue, 0);
+    const bool watched = library.watched == sample.path;
+    if (hovered != watched) out.ask(WatchSample{hovered ? sample.path : std::filesystem::path()});
+    const Rect picture = {low.x + px(14), low.y + px(12), px(kSampleWidth - 28), px(76)};
+    const GridMotion* motion = watched ? library.motion : nullptr;
+    if (motion != nullptr && ui().look != LookMode::kMechanics && !motion->cell(0).empty()) {
+        draw_moving_tile(list, picture, motion->cell(0), *sample.creature.individual,
+                         motion->time(), motion->environment().has_ground);
+    } else {
+        draw_creature_tile(list, picture, *sample.phenotype, sample.hue, 0);
+    }
     list.AddText(ui().fonts.strong, px(15), {low.x + px(12), high.y - px(45)}, paint(colors().text),
                  fit_text(sample.title, px(kSampleWidth - 28)).c_str());
     list.AddText(ui().fonts.small, px(13), {low.x + px(12), high.y - px(25)}, paint(colors().muted),
@@ -64,7 +72,7 @@ void SamplesPanel::draw_tiles(const SampleLibrary& library, Requests& out) {
     for (std::size_t i = 0; i < whole; ++i) {
         if (static_cast<int>(i) % columns != 0) ImGui::SameLine(0, px(kSampleGap));
         const bool aimed = i == aimed_;
-        if (!draw_tile(library.samples[i], aimed) && !(aimed && entered)) continue;
+        if (!draw_tile(library.samples[i], library, aimed, out) && !(aimed && entered)) continue;
         out.ask(LoadFile{library.samples[i].path});
         out.ask(ToggleSamples{});
     }
