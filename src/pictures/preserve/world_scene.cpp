@@ -16,10 +16,11 @@ namespace {
 // Scale from which joints and organs are drawn, in pixels per metre.
 constexpr double kDetailScale = 45.0;
 constexpr double kPlantRadius = 0.07;   // m
+constexpr double kFinePlant = 4.0;      // pixels; smaller ones have one colour
 constexpr double kLeastDot = 1.6;       // pixels
 constexpr double kMostFlesh = 0.35;     // m
 constexpr double kFleshOfJoule = 0.05;  // m; radius of 1 J
-constexpr double kStalkWidth = 0.035;   // m
+constexpr double kStalkWidth = 0.022;   // m
 constexpr double kStalkPixels = 1.2;    // least width
 constexpr double kLeaf = 0.09;          // m; how far a leaf reaches to its side
 constexpr double kWallPixels = 3.0;
@@ -54,14 +55,16 @@ void add_walls(SceneFrame& frame, const Palette& palette, const Camera& camera,
         fill(-kFar, -kFar, -right, kFar, palette.window);
         fill(right, -kFar, kFar, kFar, palette.window);
     }
-    if (area.has_top()) fill(-kFar, top, kFar, kFar, palette.window);
+    // Above a meadow is more of its sky.
+    const bool open_sky = scenery && area.has_ground;
+    if (area.has_top() && !open_sky) fill(-kFar, top, kFar, kFar, palette.window);
     if (has_floor && !(scenery && area.has_ground))
         fill(-kFar, -kFar, kFar, bottom, area.has_ground ? palette.ground : palette.window);
     if (area.has_sides()) {
         fill(-right - wall, bottom - wall, -right, top + wall, palette.ground_line);
         fill(right, bottom - wall, right + wall, top + wall, palette.ground_line);
     }
-    if (area.has_top()) fill(-end, top, end, top + wall, palette.ground_line);
+    if (area.has_top() && !open_sky) fill(-end, top, end, top + wall, palette.ground_line);
     if (has_floor && !(scenery && area.has_ground))
         fill(-end, bottom - wall, end, bottom, palette.ground_line);
 }
@@ -261,20 +264,45 @@ void add_drawn_walls(SceneFrame& frame, const Palette& palette, const PreservePi
     }
 }
 
-void add_food(SceneFrame& frame, const Camera& camera, const PreservePicture& picture) {
-    const double least = kLeastDot * camera.pixel();
-    if (picture.area.has_ground) {
-        const double width = std::max(kStalkWidth, kStalkPixels * camera.pixel());
-        for (const Pellet& plant : picture.plants) {
-            frame.add_line({plant.x, 0.0}, {plant.x, plant.y}, width, kStalkColor);
-            frame.add_line({plant.x, 0.3 * plant.y}, {plant.x - kLeaf, 0.5 * plant.y}, width,
-                           kStalkColor);
-            frame.add_line({plant.x, 0.5 * plant.y}, {plant.x + kLeaf, 0.7 * plant.y}, width,
-                           kStalkColor);
+// Returns a colour as it is in the light of a frame.
+Color lit(const Color& color, const SkinLight& light) {
+    const auto part = [](float of, float fill, float key) {
+        return std::min(1.0F, of * (fill + 0.55F * key));
+    };
+    return {part(color.r, light.fill.r, light.key.r), part(color.g, light.fill.g, light.key.g),
+            part(color.b, light.fill.b, light.key.b), color.a};
+}
+
+// Stalks with two leaves each, which sway, and a fruit of two colours on top.
+void add_plants(SceneFrame& frame, const Camera& camera, const PreservePicture& picture,
+                double time) {
+    const double width = std::max(kStalkWidth, kStalkPixels * camera.pixel());
+    const double radius = std::max(kPlantRadius, kLeastDot * camera.pixel());
+    const Color fruit = lit(kPlantColor, frame.light);
+    const Color stalk = lit(kStalkColor, frame.light);
+    const bool fine = kPlantRadius * camera.pixels_per_metre >= kFinePlant;
+    for (const Pellet& plant : picture.plants) {
+        const Vec2 top(plant.x, plant.y);
+        if (picture.area.has_ground) {
+            const double leaf = kLeaf + 0.015 * std::sin(1.3 * time + 3.0 * plant.x);
+            frame.add_line({plant.x, 0.0}, top, width, stalk);
+            frame.add_line({plant.x, 0.3 * plant.y}, {plant.x - leaf, 0.55 * plant.y}, width,
+                           stalk);
+            frame.add_line({plant.x, 0.5 * plant.y}, {plant.x + leaf, 0.75 * plant.y}, width,
+                           stalk);
         }
+        frame.add_circle(top, radius, fine ? mix(fruit, color_of(0x0A1A10), 0.45F) : fruit);
+        if (!fine) continue;
+        frame.add_circle(top, 0.80 * radius, fruit);
+        frame.add_circle(top + Vec2(-0.24, 0.28) * radius, 0.30 * radius,
+                         mix(fruit, color_of(0xFFFFE8), 0.45F));
     }
-    for (const Pellet& plant : picture.plants)
-        frame.add_circle({plant.x, plant.y}, std::max(kPlantRadius, least), kPlantColor);
+}
+
+void add_food(SceneFrame& frame, const Camera& camera, const PreservePicture& picture,
+              double time) {
+    const double least = kLeastDot * camera.pixel();
+    add_plants(frame, camera, picture, time);
     for (const Pellet& piece : picture.flesh) {
         const double size = kFleshOfJoule * std::sqrt(joules(piece.energy));
         const double radius = std::clamp(size, least, kMostFlesh);
@@ -381,7 +409,7 @@ void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
     const std::size_t first = frame.shapes.size();
     add_seams(frame, palette, camera, picture.area);
     add_drawn_walls(frame, palette, picture);
-    add_food(frame, camera, picture);
+    add_food(frame, camera, picture, shown.time());
     for (const ResidentPicture& each : picture.residents) {
         if (!in_view(each, window, shifts)) continue;
         const double hue = lineage_hue(each.life.lineage);

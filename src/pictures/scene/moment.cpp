@@ -74,7 +74,6 @@ SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& 
     scene.background = style.palette.sky;
     if (style.world != nullptr) {
         add_scenery(scene, *style.world, camera, viewport, moment.time);
-        add_ground_marks(scene, *style.world, camera, viewport, label_spacing(camera, style));
     } else {
         add_grid(scene, style.palette, camera, viewport);
     }
@@ -111,8 +110,7 @@ void add_ground_labels(PictureCanvas& canvas, const Area& area, const Camera& ca
                        const Viewport& viewport, const MomentStyle& style) {
     const WorldWindow window = camera.window(viewport);
     const double spacing = label_spacing(camera, style);
-    const Color color = style.world != nullptr ? style.world->words : style.palette.muted;
-    const Ink ink{Typeface::kRegular, style.label_size, color};
+    const Ink ink{Typeface::kRegular, style.label_size, style.palette.muted};
     for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
         const std::string label = with_unit(i * spacing, "m");
         const Vec2 at = camera.to_screen({i * spacing, 0.0}, viewport);
@@ -191,7 +189,7 @@ void add_moment(PictureCanvas& canvas, const Area& area, const Subject& subject,
     camera.center =
         follow_center(middle_of(subject.motion(), moment.frame), ground, camera, viewport);
     canvas.add_scene(scene_of(subject, moment, camera, viewport, style), camera, area);
-    if (ground) add_ground_labels(canvas, area, camera, viewport, style);
+    if (ground && style.world == nullptr) add_ground_labels(canvas, area, camera, viewport, style);
 }
 
 std::string facts_line(const Subject& subject) {

@@ -174,12 +174,12 @@ DrawnWorld air() {
     DrawnWorld world = meadow_at_noon();
     world.kind = WorldKind::kAir;
     paint_sky(world.recipe, {0xCFE6F4, 0x86BDE8, 0x2F78C4});
-    place_body(world.recipe, HeavenlyBody::kSun, 0xFFF8DC, {0.20, 0.80}, 0.055);
+    place_body(world.recipe, HeavenlyBody::kSun, 0xFFF8DC, {0.76, 0.74}, 0.055);
     world.recipe.clouds = 0.8F;
     paint_ridges(world.recipe, RidgeForm::kClouds,
                  {{{0xDCEAF5, 0xF4F8FB}, {0xE9F1F8, 0xFFFFFF}, {0xF6FAFD, 0xFFFFFF}}});
     world.recipe.has_ground = false;
-    world.light.sun = {-0.45, 0.70, 0.58};
+    world.light.sun = {0.45, 0.70, 0.58};
     world.light.fill = {0.50F, 0.54F, 0.60F};
     world.grass = {0.0F, 0.0F, 0.0F, 0.0F};
     return world;
@@ -284,7 +284,7 @@ void add_grass(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
             0.30 * (draw(3) - 0.5) + 0.06 * std::sin(1.7 * time + 2.2 * x + draw(4));
         const Color other = draw(6) < 0.5 ? color_of(0xE8E070) : color_of(0x103018);
         const Color color = mix(world.grass, other, 0.15F);
-        const double width = std::max(2.0 * camera.pixel(), 0.012);
+        const double width = std::max(1.6 * camera.pixel(), 0.007);
         add_blade(frame, {x, row.foot}, length, width, lean, color);
         if (row.use == 0 && draw(8) < 0.03) {
             const Color petals = draw(9) < 0.5 ? color_of(0xF2A65A) : color_of(0xF4EFE6);

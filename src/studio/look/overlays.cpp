@@ -8,6 +8,8 @@ namespace {
 constexpr std::array kOverlays = {
     OverlayKind{"grid", "Grid", "Lines at each metre, or at equal parts of it, without scenery.",
                 &OverlaysShown::grid},
+    OverlayKind{"ruler", "Ruler", "Distances along the ground, in metres, with scenery.",
+                &OverlaysShown::ruler},
     OverlayKind{"trail", "Trail", "The path of the centre of mass in the last six seconds.",
                 &OverlaysShown::trail},
     OverlayKind{"contacts", "Touching faces",

@@ -37,6 +37,7 @@ struct OverlaysShown {
     bool trail = true;
     bool contacts = true;
     bool grid = true;
+    bool ruler = false;
     bool names = false;
     bool forces = false;
     bool center_of_mass = false;

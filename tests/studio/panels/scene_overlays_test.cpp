@@ -50,7 +50,8 @@ TEST_CASE("each overlay switches something of the picture on and off", "[studio]
                 overlays.*each.shown = false;
             overlays.*overlay.shown = shown;
             // Other looks show less of a skin where an overlay would be hidden by it.
-            run.studio.view().look = LookMode::kMechanics;
+            run.studio.view().look =
+                overlay.shown == &OverlaysShown::ruler ? LookMode::kLife : LookMode::kMechanics;
             const FrameContext frame = run.studio.frame();
             Requests out;
             gui.frame([&] { panel.draw(frame, out); });

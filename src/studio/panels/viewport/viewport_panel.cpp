@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kFollowLag = 0.25;         // s; time constant with which the camera follows
 constexpr double kFollowMargin = 0.06;      // share of the viewport kept free around the body
-constexpr double kFitShare = 0.32;          // share of the viewport filled by a body after FitView
+constexpr double kFitShare = 0.40;          // share of the viewport filled by a body after FitView
 constexpr double kFitShareOfContest = 0.8;  // the same, by both creatures and the cube
 // Pixels from the top that the text about the creature takes.
 constexpr float kWordsHeight = 132.0F;
@@ -285,8 +285,9 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
     const double time = look.character.time;
     if (world != nullptr) {
         add_scenery(scene, *world, canvas_.camera, canvas_.size(), time);
-        add_ground_marks(scene, *world, canvas_.camera, canvas_.size(),
-                         mark_spacing(canvas_.camera, kTickPixels));
+        if (frame.view.overlays.ruler)
+            add_ground_marks(scene, *world, canvas_.camera, canvas_.size(),
+                             mark_spacing(canvas_.camera, kTickPixels));
     } else if (frame.view.overlays.grid) {
         add_grid(scene, palette, canvas_.camera, canvas_.size());
     }
@@ -339,7 +340,9 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
 }
 
 void ViewportPanel::draw_marks(const FrameContext& frame) {
+    const DrawnWorld* world = world_around(frame);
     if (!frame.viewer.playback.creature().replay().environment().has_ground) return;
+    if (world != nullptr && !frame.view.overlays.ruler) return;
     const Camera& camera = canvas_.camera;
     const WorldWindow window = camera.window(canvas_.size());
     if (window.low.y() > 0.0) return;
@@ -349,7 +352,6 @@ void ViewportPanel::draw_marks(const FrameContext& frame) {
     const double spacing = tick * std::ceil(room / (tick * camera.pixels_per_metre));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const WithFont font(ui().fonts.small);
-    const DrawnWorld* world = world_around(frame);
     const Color color = world != nullptr ? world->words : colors().muted;
     for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
         const std::string label = with_unit(i * spacing, "m");
@@ -447,6 +449,13 @@ void ViewportPanel::draw_words(const FrameContext& frame) {
     const DrawnWorld* world = world_around(frame);
     const Palette& palette = world != nullptr ? palette_over(*world) : colors();
     ImVec2 at = {canvas_.area.x + px(16), canvas_.area.y + px(12)};
+    // A shade, so that words are read before any sky.
+    const ImU32 shade = paint(with_alpha(palette.sky, 0.45F));
+    const ImU32 none = paint(with_alpha(palette.sky, 0.0F));
+    list.AddRectFilledMultiColor(
+        canvas_.area.low(),
+        {canvas_.area.x + std::min(px(320), canvas_.area.width), canvas_.area.y + px(58)}, shade,
+        none, none, shade);
     const Color second = world != nullptr ? with_alpha(palette.text, 0.85F) : palette.muted;
     const std::string name = exhibit.name();
     shadowed_text(list, fonts.title, px(20), at, palette.text, name);
