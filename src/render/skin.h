@@ -37,7 +37,7 @@ struct Skin {
     double wave = 1.0;           // m; length of a wave of the pattern
     SkinPattern pattern = SkinPattern::kPlain;
     float crease = 1.0F;  // strength of the shade beside boxes in front, 0 to 1
-    float flash = 0.0F;   // share of red over the skin
+    float flash = 0.0F;   // share of red over the skin, most along its outline; up to 0.5
     float alpha = 1.0F;
 };
 

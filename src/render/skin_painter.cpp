@@ -160,7 +160,7 @@ void main() {
 
     float line = clamp(0.5 + depth + form.y, 0.0, 1.0);
     lit = mix(lit, base * ink, 0.94 * line);
-    lit = mix(lit, vec3(1.0, 0.30, 0.22), look.y * (0.35 + 0.65 * line));
+    lit = mix(lit, vec3(1.0, 0.30, 0.22), look.y * (0.30 + 1.70 * line));
     color = vec4(lit, clamp(0.5 - depth, 0.0, 1.0) * look.z);
 }
 )";

@@ -26,6 +26,7 @@ constexpr double kLeaf = 0.09;          // m; how far a leaf reaches to its side
 constexpr double kWallPixels = 3.0;
 constexpr double kBirthShown = 0.9;  // s for which a birth is seen
 constexpr double kDeathShown = 1.8;  // s
+constexpr double kBiteShown = 0.35;  // s for which the beginning of a bite is seen
 constexpr double kMealShown = 0.15;  // s for which a mouth stays open
 const Color kPlantColor = color_of(0x2FA36B);
 const Color kPatchColor = color_of(0xE8C468);
@@ -215,6 +216,26 @@ void add_small_body(SceneFrame& frame, const Palette& palette, const Camera& cam
     }
 }
 
+// A ring grows where a bite begins. Boxes have a red outline as long as it lasts; a skin has its
+// own.
+void add_bite(SceneFrame& frame, const Palette& palette, const Camera& camera,
+              const ResidentPicture& resident, const ShownWorld& world) {
+    const double age = world.seconds_since(resident.bitten_since) / kBiteShown;
+    if (age < 1.0) {
+        frame.add_ring(resident.center.head<2>(), (0.4 + 0.7 * age) * reach_of(resident),
+                       2.0 * camera.pixel(),
+                       with_alpha(palette.danger, static_cast<float>(0.9 * (1.0 - age))));
+    }
+    if (world.mode == LookMode::kLife) return;
+    for (const Rectangle& part : resident.parts) {
+        Shape shape = shape_of(part);
+        shape.outline_width = 2.0 * camera.pixel();
+        shape.fill = with_alpha(palette.danger, 0.0F);
+        shape.outline = palette.danger;
+        frame.shapes.push_back(shape);
+    }
+}
+
 void add_detailed_body(SceneFrame& frame, const Palette& palette, const Camera& camera,
                        const ResidentPicture& resident, double hue, const ShownWorld& world) {
     std::vector<Pose> poses;
@@ -232,17 +253,7 @@ void add_detailed_body(SceneFrame& frame, const Palette& palette, const Camera& 
     look.bites = resident.fed != 0 && world.seconds_since(resident.fed) < kMealShown;
     look.character = character_in(resident, world);
     add_being(frame, palette, camera, look);
-    if (!resident.bitten) return;
-    // A ring too, so that a bite is not told by colours alone.
-    frame.add_ring(resident.center.head<2>(), 1.1 * reach_of(resident), 2.0 * camera.pixel(),
-                   palette.danger);
-    for (const Rectangle& part : resident.parts) {
-        Shape shape = shape_of(part);
-        shape.outline_width = 2.0 * camera.pixel();
-        shape.fill = with_alpha(palette.danger, 0.0F);
-        shape.outline = palette.danger;
-        frame.shapes.push_back(shape);
-    }
+    if (resident.bitten) add_bite(frame, palette, camera, resident, world);
 }
 
 // Paints each patch as discs around its middle, so that it is brightest there.

@@ -58,10 +58,11 @@ std::vector<ResidentPicture> PreserveCamera::residents_of(const Preserve& preser
         const bool seen = known != known_.end() && known->number == number;
         const Life& life = each->life;
         const Energy gained = life.eaten_plants + life.eaten_flesh + life.bitten;
-        Known now{number, nullptr, gained, 0};
+        Known now{number, nullptr, gained, 0, each->bitten ? preserve.ticks() : 0};
         if (seen) {
             now.phenotype = std::move(known->phenotype);
             now.fed = gained > known->gained ? preserve.ticks() : known->fed;
+            if (each->bitten && known->bitten_since != 0) now.bitten_since = known->bitten_since;
         } else {
             now.phenotype = std::make_shared<const Phenotype>(each->phenotype());
         }
@@ -76,6 +77,7 @@ std::vector<ResidentPicture> PreserveCamera::residents_of(const Preserve& preser
              .body = joules(each->body),
              .birth_need = (2.0 * laws.birth_energy + laws.body_energy) * each->life.mass,
              .bitten = each->bitten,
+             .bitten_since = living.back().bitten_since,
              .fed = living.back().fed,
              .center = center,
              .velocity = each->velocity(),

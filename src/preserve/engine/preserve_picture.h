@@ -23,10 +23,11 @@ class Preserve;
 
 struct ResidentPicture {
     Life life;
-    double store = 0.0;          // J
-    double body = 0.0;           // J
-    double birth_need = 0.0;     // J in store above which it may bear a child of its size
-    bool bitten = false;         // in the last tick
+    double store = 0.0;              // J
+    double body = 0.0;               // J
+    double birth_need = 0.0;         // J in store above which it may bear a child of its size
+    bool bitten = false;             // in the last tick
+    std::uint64_t bitten_since = 0;  // tick of the first of the pictures in which it was; 0: is not
     std::uint64_t fed = 0;       // tick of the first picture after it last ate or bit; 0: none did
     Vec3 center = Vec3::Zero();  // m; where edges meet, of the image in the area
     Vec3 velocity = Vec3::Zero();  // m/s, of the centre of mass
@@ -93,8 +94,9 @@ private:
     struct Known {
         std::uint64_t number = 0;
         std::shared_ptr<const Phenotype> phenotype;
-        Energy gained = 0;      // by eating and biting
-        std::uint64_t fed = 0;  // as in its picture
+        Energy gained = 0;               // by eating and biting
+        std::uint64_t fed = 0;           // as in its picture
+        std::uint64_t bitten_since = 0;  // the same
     };
     std::vector<Known> known_;  // in ascending order
     std::uint64_t watched_ = 0;

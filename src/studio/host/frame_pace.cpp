@@ -6,6 +6,7 @@ namespace cambrian {
 namespace {
 
 constexpr double kSlowDrawing = 0.015;   // s
+constexpr double kSlowLight = 0.030;     // s; a plain scene is hardly quicker than a light one
 constexpr double kQuickDrawing = 0.007;  // s
 constexpr double kSlowFor = 1.0;         // s
 constexpr double kQuickFor = 10.0;       // s
@@ -21,7 +22,8 @@ void FramePace::note(double drawing, double elapsed) {
     const auto middle = sorted.begin() + kFrames / 2;
     std::nth_element(sorted.begin(), middle, sorted.end());
     const double step = std::min(elapsed, kLongestFrame);
-    slow_ = *middle > kSlowDrawing ? slow_ + step : 0.0;
+    const double slow = tier_ == Scenery::kFull ? kSlowDrawing : kSlowLight;
+    slow_ = *middle > slow ? slow_ + step : 0.0;
     quick_ = *middle < kQuickDrawing ? quick_ + step : 0.0;
     if (slow_ >= kSlowFor && tier_ != Scenery::kPlain) {
         choose(tier_ == Scenery::kFull ? Scenery::kLight : Scenery::kPlain);

@@ -12,8 +12,9 @@ namespace cambrian {
 class FramePace {
 public:
     // Tells of a frame: the time in which it was drawn and the time since the one before, in s.
-    // When most of the last 30 frames took over 15 ms for a second, the tier is one lower; when
-    // they took less than 7 ms for ten seconds, one higher, at most twice.
+    // When most of the last 30 frames took over 15 ms for a second, scenery is light, and plain
+    // when they take over 30 ms even so. When they took less than 7 ms for ten seconds, the tier is
+    // one higher, at most twice.
     void note(double drawing, double elapsed);
     Scenery tier() const { return tier_; }  // never kAutomatic
 

@@ -20,7 +20,9 @@ TEST_CASE("scenery becomes less while frames are slow", "[studio][pace]") {
     CHECK(pace.tier() == Scenery::kFull);
     draw_for(pace, 0.5, 0.016);
     CHECK(pace.tier() == Scenery::kLight);
-    draw_for(pace, 2.0, 0.016);
+    draw_for(pace, 20.0, 0.029);
+    CHECK(pace.tier() == Scenery::kLight);
+    draw_for(pace, 2.0, 0.031);
     CHECK(pace.tier() == Scenery::kPlain);
     draw_for(pace, 9.0, 0.050);
     CHECK(pace.tier() == Scenery::kPlain);
@@ -28,7 +30,7 @@ TEST_CASE("scenery becomes less while frames are slow", "[studio][pace]") {
 
 TEST_CASE("scenery becomes more where frames leave room for it, at most twice", "[studio][pace]") {
     FramePace pace;
-    draw_for(pace, 4.0, 0.016);
+    draw_for(pace, 4.0, 0.031);
     REQUIRE(pace.tier() == Scenery::kPlain);
     draw_for(pace, 9.0, 0.004);
     CHECK(pace.tier() == Scenery::kPlain);
