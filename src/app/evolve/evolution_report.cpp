@@ -3,12 +3,15 @@
 #include "core/text/number_text.h"
 #include "genome/creature_name.h"
 #include "persist/json/json_text.h"
+#include "persist/records/statistics_columns.h"
 #include "persist/text/digest_text.h"
 #include "persist/text/quoted_text.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <span>
+#include <variant>
 
 namespace cambrian {
 namespace {
@@ -70,38 +73,35 @@ std::string json_of_births(const GenerationStatistics& statistics) {
     return json_object(lines);
 }
 
+std::string json_value(double number) {
+    return real_text(number);
+}
+std::string json_value(bool truth) {
+    return json_truth(truth);
+}
+std::string json_value(const std::string& text) {
+    return quoted_text(text);
+}
+template <class Whole>
+std::string json_value(Whole number) {
+    return std::to_string(number);
+}
+
+void add_members(JsonMembers& members, const GenerationStatistics& row,
+                 std::span<const Column<GenerationStatistics>> columns) {
+    for (const Column<GenerationStatistics>& column : columns) {
+        const auto value = [&row](auto field) { return json_value(row.*field); };
+        members.push_back({column.name, std::visit(value, column.field)});
+    }
+}
+
 std::string json_of(const GenerationStatistics& statistics, const ReportedRun& run,
                     const std::string& cluster) {
-    JsonMembers members = {
-        {"seed", std::to_string(run.seed)},
-        {"generation", std::to_string(statistics.generation)},
-        {"size", std::to_string(statistics.size)},
-        {"evaluations", std::to_string(statistics.evaluations)},
-        {"confirmations", std::to_string(statistics.confirmations)},
-        {"best", real_text(statistics.best)},
-        {"best_lowest", real_text(statistics.best_lowest)},
-        {"best_highest", real_text(statistics.best_highest)},
-        {"upper", real_text(statistics.upper)},
-        {"median", real_text(statistics.median)},
-        {"lower", real_text(statistics.lower)},
-        {"mean", real_text(statistics.mean)},
-        {"invalid_share", real_text(statistics.invalid_share)},
-        {"mean_parts", real_text(statistics.mean_parts)},
-        {"mean_neurons", real_text(statistics.mean_neurons)},
-        {"distinct_genomes", std::to_string(statistics.distinct_genomes)},
-        {"lines", std::to_string(statistics.lines)},
-        {"plans", std::to_string(statistics.plans)},
-        {"births_by_line", json_of_births(statistics)},
-        {"rejected", std::to_string(statistics.rejected)},
-        {"reused", std::to_string(statistics.reused)},
-        {"rested", std::to_string(statistics.rested)},
-        {"given_up", std::to_string(statistics.given_up)},
-        {"giving_up_distrusted", json_truth(statistics.giving_up_distrusted)},
-        {"time_saved", real_text(statistics.time_saved)},
-        {"filled_cells", std::to_string(statistics.filled_cells)},
-        {"quality", real_text(statistics.quality)},
-        {"generations_without_progress", std::to_string(statistics.generations_without_progress)},
-        {"unit", quoted_text(run.unit)}};
+    JsonMembers members = {{"seed", std::to_string(run.seed)}};
+    add_members(members, statistics, kStatisticsColumns);
+    add_members(members, statistics, kLaterStatisticsColumns);
+    members.push_back({"births_by_line", json_of_births(statistics)});
+    members.push_back({"unit", quoted_text(run.unit)});
     if (!cluster.empty()) members.push_back({"cluster", cluster});
     return json_object(members);
 }
