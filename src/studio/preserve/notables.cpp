@@ -1,7 +1,5 @@
 #include "studio/preserve/notables.h"
 
-#include "genome/creature_name.h"
-
 #include <algorithm>
 #include <array>
 
@@ -46,8 +44,7 @@ std::vector<Notable> notables_in(const PreservePicture& picture) {
         if (most == picture.residents.end()) break;
         const double number = measure.number(*most, picture.tick);
         if (number > 0.0)
-            notables.push_back({measure.label, creature_name(*most->life.genome), most->life.number,
-                                number, measure.unit});
+            notables.push_back({measure.label, most->life.number, number, measure.unit});
     }
     return notables;
 }

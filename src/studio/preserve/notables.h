@@ -13,7 +13,6 @@ namespace cambrian {
 // The creature for which a number is largest.
 struct Notable {
     const char* label;
-    std::string name;  // of the creature
     std::uint64_t creature = 0;
     double number = 0.0;  // above 0
     const char* unit;     // "s" for a time

@@ -20,7 +20,7 @@ std::string parent_words(std::uint64_t parent, std::span<const IndividualPtr> po
         std::find_if(population.begin(), population.end(),
                      [parent](const IndividualPtr& each) { return each->uid == parent; });
     if (living == population.end()) return uid_text(parent).substr(0, kShortUid);
-    return fmt::format("{}, rank {}", creature_name(*(*living)->genome),
+    return fmt::format("{} (rank {})", creature_name(*(*living)->genome),
                        living - population.begin() + 1);
 }
 

@@ -1,3 +1,4 @@
+#include "genome/creature_name.h"
 #include "panel_press.h"
 #include "studio/panels/generations/population_panel.h"
 #include "studio/viewer/origin_words.h"
@@ -212,7 +213,9 @@ TEST_CASE("a creature's origin is described in words", "[studio][population]") {
         child.mutations.push_back({"no-such-operator", "part 2 length", "0.4", "0.5"});
     const std::string words =
         origin_words(child, studio.snapshot().population, studio.frame().kinds);
-    CHECK(words.find("Born in generation 12\nCrossover, from rank 3 and abcdef01") == 0);
+    const std::string parent = creature_name(*studio.snapshot().population[2]->genome);
+    CHECK(words.find("Born in generation 12\nCrossover, from " + parent +
+                     " (rank 3) and abcdef01") == 0);
     CHECK(words.find("No-such-operator: part 2 length 0.4 → 0.5") != std::string::npos);
     CHECK(words.find("and 2 more mutations") != std::string::npos);
 }

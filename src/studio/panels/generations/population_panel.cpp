@@ -271,7 +271,8 @@ void PopulationPanel::draw_content(const Tile& tile, const Rect& area, const Fra
         tile.rank > 0 ? std::to_string(tile.rank) : fmt::format("gen {}", tile.creature.generation);
     const WithFont font(ui().fonts.small);
     const std::string named = fmt::format("{} {}", place, creature_name(*individual.genome));
-    small_words(fit_text(named, area.width - px(kStarRoom + 6)), {area.x + px(6), area.y + px(3)},
+    const float taken = tile.starred || hovered ? px(kStarRoom) : px(4);
+    small_words(fit_text(named, area.width - px(6) - taken), {area.x + px(6), area.y + px(3)},
                 colors().muted);
     draw_star(star_of(area), tile.starred, hovered);
     const bool valid = !disqualified(individual);

@@ -2,6 +2,7 @@
 
 #include "core/text/pretty_text.h"
 #include "core/text/shown_score.h"
+#include "genome/creature_name.h"
 #include "studio/viewer/mutation_words.h"
 #include "studio/viewer/origin_words.h"
 #include "studio/viewer/score_words.h"
@@ -142,7 +143,9 @@ void draw_origin(const FrameContext& frame) {
     const Individual& individual = frame.viewer.playback.exhibit().individual();
     if (!individual.method.empty())
         fact("Breeding method", method_words(individual.method, frame.kinds));
-    if (individual.parents[0] != 0) fact("Parent", uid_text(individual.parents[0]));
+    const IndividualPtr& mother = individual.mother.get();
+    if (individual.parents[0] != 0)
+        fact("Parent", mother ? creature_name(*mother->genome) : uid_text(individual.parents[0]));
     if (individual.parents[1] != 0) fact("Second parent", uid_text(individual.parents[1]));
     if (individual.uid != 0) fact("Identity", uid_text(individual.uid));
     if (individual.mutations.empty()) return;

@@ -146,10 +146,12 @@ void draw_notables(const PreservePicture& picture, Requests& out) {
         fact(notable.label,
              is_time ? pretty_time(notable.number) : with_unit(notable.number, notable.unit));
         ImGui::PushID(notable.label);
-        if (push_button(fmt::format("{}  {}", notable.name, notable.creature),
-                        {.width = ImGui::GetContentRegionAvail().x,
-                         .height = px(26),
-                         .tooltip = "Pick it (O goes through them)"}))
+        if (push_button(
+                fmt::format("{}  {}", creature_name(*picture.find(notable.creature)->life.genome),
+                            notable.creature),
+                {.width = ImGui::GetContentRegionAvail().x,
+                 .height = px(26),
+                 .tooltip = "Pick it (O goes through them)"}))
             out.ask(PickResident{notable.creature});
         ImGui::PopID();
     }
