@@ -11,9 +11,6 @@
 #include "app/trial/founder_files.h"
 #include "app/trial/score_notice.h"
 #include "cluster/join_cluster.h"
-#include "core/files/file_errors.h"
-#include "core/files/pending_file.h"
-#include "core/files/private_folder.h"
 #include "core/text/shell_word.h"
 #include "core/threads/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
@@ -70,7 +67,7 @@ Result<RunOutputs> take_names(ExperimentFile& file, RunOutputs outputs, const Ev
     for (;;) {
         const Status named = file.move_to(outputs.experiment, ExperimentFile::Existing::kRefuse);
         if (named) return outputs;
-        Result<RunOutputs> others = run_outputs(run.out, settings, files_of(run));
+        Result<RunOutputs> others = run_outputs({run.out, settings, files_of(run)});
         if (!others) return others;
         if (others->experiment == outputs.experiment) return named.error();
         outputs = *std::move(others);
@@ -86,7 +83,7 @@ Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) 
         run.founders, {"[population] size", (*settings)->population.size}, **settings, kinds);
     if (!files) return files.error();
     const std::vector<GenomePtr> founders = genomes_of(*files);
-    Result<RunOutputs> outputs = run_outputs(run.out, **settings, files_of(run));
+    Result<RunOutputs> outputs = run_outputs({run.out, **settings, files_of(run)});
     if (!outputs) return outputs.error();
     StartedFile made;
     std::shared_ptr<ExperimentFile> file;
@@ -145,7 +142,7 @@ Result<Course> resumed_course(const EvolutionRun& run, const EvolutionKinds& kin
     if (Status unfinished = check_unfinished(run.resume, saved, limits); !unfinished)
         return unfinished.error();
     Result<RunOutputs> outputs =
-        run.out.empty() ? RunOutputs{} : run_outputs(run.out, limits, files_of(run));
+        run.out.empty() ? RunOutputs{} : run_outputs({run.out, limits, files_of(run)});
     if (!outputs) return outputs.error();
     outputs->experiment = *file;
     return Course{resumed(saved, kinds),   std::move(limits),   std::move(made),
@@ -239,58 +236,6 @@ Harvest evolve(Course& course, EvaluationBackend& backend, const ReportedRun& ru
     }
 }
 
-// Writes a file that does not exist yet.
-Status write_new_file(const std::filesystem::path& path, std::string_view bytes) {
-    Result<PendingFile> file = PendingFile::beside(path);
-    if (!file) return file.error();
-    if (const int code = file->write(bytes); code != 0) return write_outcome(path, code);
-    return file->commit(PendingFile::Existing::kRefuse);
-}
-
-// Saves a champion under a free name of a folder. If another run has taken the name that was chosen
-// for it, the next free ones are tried.
-Result<std::filesystem::path> save_numbered(std::filesystem::path path, const EvolutionRun& run,
-                                            const CreatureDocument& champion,
-                                            const ExperimentSettings& limits,
-                                            const EvolutionKinds& kinds) {
-    for (;;) {
-        const Status saved = write_new_file(path, write_creature(champion, kinds));
-        if (saved) return path;
-        std::error_code unknown;
-        if (!std::filesystem::exists(path, unknown)) return saved.error();
-        const Result<RunOutputs> others = run_outputs(run.out, limits, files_of(run));
-        if (!others || others->champion == path) return saved.error();
-        path = others->champion;
-    }
-}
-
-Result<std::filesystem::path> save_replacing(const std::filesystem::path& path,
-                                             const CreatureDocument& champion,
-                                             const EvolutionKinds& kinds) {
-    const Status saved = save_creature(path, champion, kinds);
-    return saved ? Result(path) : saved.error();
-}
-
-// Saves the champion under its path or, if that has become impossible, under another one.
-Result<std::filesystem::path> save_champion(const Course& course, const EvolutionRun& run,
-                                            const CreatureDocument& champion,
-                                            const EvolutionKinds& kinds) {
-    const std::filesystem::path& path = course.outputs.champion;
-    const auto saved = course.outputs.numbered
-                           ? save_numbered(path, run, champion, course.limits, kinds)
-                           : save_replacing(path, champion, kinds);
-    if (saved) return saved;
-    const Result<std::filesystem::path> folder = make_lasting_private_folder();
-    if (!folder) return saved.error();
-    const std::filesystem::path refuge = *folder / path.filename();
-    if (!save_creature(refuge, champion, kinds)) {
-        std::error_code ignored;
-        std::filesystem::remove(*folder, ignored);
-        return saved.error();
-    }
-    return Error{fmt::format("{}; the champion is in {}", saved.error().message, refuge.string())};
-}
-
 // Saves the champion and prints the final line.
 ExitStatus report(const EvolutionRun& asked, const Course& course, const Harvest& harvest,
                   const ReportedRun& run, const EvolutionKinds& kinds) {
@@ -302,7 +247,8 @@ ExitStatus report(const EvolutionRun& asked, const Course& course, const Harvest
                                                  harvest.champion->generation);
         }
         complete_score(champion, kinds);
-        const auto saved = save_champion(course, asked, champion, kinds);
+        const auto saved =
+            save_champion(outputs, {asked.out, course.limits, files_of(asked)}, champion, kinds);
         if (!saved) return fail(saved.error(), ExitStatus::kFailed);
         outputs.champion = *saved;
     }

@@ -1,6 +1,9 @@
 #include "app/evolve/run_outputs.h"
 
 #include "app/command_line/output_path.h"
+#include "core/files/file_errors.h"
+#include "core/files/pending_file.h"
+#include "core/files/private_folder.h"
 
 #include <fmt/core.h>
 
@@ -25,10 +28,40 @@ bool is_free(const RunOutputs& outputs) {
            !std::filesystem::exists(outputs.experiment, unknown);
 }
 
+// Writes a file that does not exist yet.
+Status write_new_file(const std::filesystem::path& path, std::string_view bytes) {
+    Result<PendingFile> file = PendingFile::beside(path);
+    if (!file) return file.error();
+    if (const int code = file->write(bytes); code != 0) return write_outcome(path, code);
+    return file->commit(PendingFile::Existing::kRefuse);
+}
+
+// Saves a champion under a free name of a folder.
+Result<std::filesystem::path> save_numbered(std::filesystem::path path, const OutputWish& wish,
+                                            const CreatureDocument& champion,
+                                            const EvolutionKinds& kinds) {
+    for (;;) {
+        const Status saved = write_new_file(path, write_creature(champion, kinds));
+        if (saved) return path;
+        std::error_code unknown;
+        if (!std::filesystem::exists(path, unknown)) return saved.error();
+        const Result<RunOutputs> others = run_outputs(wish);
+        if (!others || others->champion == path) return saved.error();
+        path = others->champion;
+    }
+}
+
+Result<std::filesystem::path> save_replacing(const std::filesystem::path& path,
+                                             const CreatureDocument& champion,
+                                             const EvolutionKinds& kinds) {
+    const Status saved = save_creature(path, champion, kinds);
+    return saved ? Result(path) : saved.error();
+}
+
 }  // namespace
 
-Result<RunOutputs> run_outputs(const std::string& asked, const ExperimentSettings& settings,
-                               const CommandFiles& files) {
+Result<RunOutputs> run_outputs(const OutputWish& wish) {
+    const auto& [asked, settings, files] = wish;
     if (is_experiment_name(asked)) return RunOutputs{.champion = {}, .experiment = asked};
     if (!asked.empty() && !check_ending(asked, output_form::kCreature))
         return Error{
@@ -46,6 +79,23 @@ Result<RunOutputs> run_outputs(const std::string& asked, const ExperimentSetting
         outputs = named_in(place->parent_path(), name, ++number);
     } while (!is_free(outputs) && number < kMostOfOneName);
     return outputs;
+}
+
+Result<std::filesystem::path> save_champion(const RunOutputs& outputs, const OutputWish& wish,
+                                            const CreatureDocument& champion,
+                                            const EvolutionKinds& kinds) {
+    const auto saved = outputs.numbered ? save_numbered(outputs.champion, wish, champion, kinds)
+                                        : save_replacing(outputs.champion, champion, kinds);
+    if (saved) return saved;
+    const Result<std::filesystem::path> folder = make_lasting_private_folder();
+    if (!folder) return saved.error();
+    const std::filesystem::path refuge = *folder / outputs.champion.filename();
+    if (!save_creature(refuge, champion, kinds)) {
+        std::error_code ignored;
+        std::filesystem::remove(*folder, ignored);
+        return saved.error();
+    }
+    return Error{fmt::format("{}; the champion is in {}", saved.error().message, refuge.string())};
 }
 
 std::string words_of(const RunOutputs& outputs) {
