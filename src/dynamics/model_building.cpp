@@ -4,7 +4,6 @@
 #include "dynamics/constraints/invariants.h"
 #include "dynamics/forces/motors.h"
 #include "dynamics/model/collision_filter.h"
-#include "dynamics/model/loop_joints.h"
 #include "math/elementary.h"
 
 #include <fmt/core.h>
@@ -20,16 +19,11 @@ constexpr double kMinMassShare = 1e-4;   // of the total mass
 constexpr double kMaxStretch = 1.0;      // largest |s|
 constexpr double kStretchSpare = 0.1;  // that a stretch may overrun its limits, for the broad phase
 constexpr double kFixedRoom = 1.0;     // to the limits of rigid joints, which never move
-constexpr double kMaxPinGap = 1e-6;    // m, in the rest pose
 // Child lengths per second, for each rad/s of a motor's limit.
 constexpr double kRateLengthShare = 0.25;
 
 Error part_error(std::size_t part, const std::string& problem) {
     return {fmt::format("body plan, part {}: {}", part, problem)};
-}
-
-Error loop_joint_error(std::size_t joint, const std::string& problem) {
-    return {fmt::format("body plan, loop joint {}: {}", joint, problem)};
 }
 
 bool is_finite(const PlannedPart& part) {
@@ -84,22 +78,6 @@ Status check_part(const BodyPlan& plan, std::size_t index) {
     return {};
 }
 
-Status check_loop_joint(const BodyPlan& plan, std::size_t index) {
-    const PlannedLoopJoint& joint = plan.loop_joints[index];
-    const int parts = static_cast<int>(plan.parts.size());
-    for (const int part : {joint.part_a, joint.part_b}) {
-        if (part < 0 || part >= parts)
-            return loop_joint_error(index, fmt::format("there is no part {}", part));
-        if (plan.parts[static_cast<std::size_t>(part)].stretch)
-            return loop_joint_error(index, fmt::format("part {} of it deforms", part));
-    }
-    for (const double number : {joint.anchor_in_a.x(), joint.anchor_in_a.y(), joint.anchor_in_b.x(),
-                                joint.anchor_in_b.y()}) {
-        if (!std::isfinite(number)) return loop_joint_error(index, "a number is not finite");
-    }
-    return {};
-}
-
 Status check_plan(const BodyPlan& plan, double density) {
     if (plan.parts.empty()) return Error{"body plan: no parts"};
     if (plan.parts.size() > kMaxParts)
@@ -109,12 +87,6 @@ Status check_plan(const BodyPlan& plan, double density) {
         return Error{"environment: density must be above 0"};
     for (std::size_t i = 0; i < plan.parts.size(); ++i) {
         if (Status status = check_part(plan, i); !status) return status;
-    }
-    if (plan.loop_joints.size() > kMaxLoopJoints)
-        return Error{fmt::format("body plan: {} loop joints, at most {} expected",
-                                 plan.loop_joints.size(), kMaxLoopJoints)};
-    for (std::size_t i = 0; i < plan.loop_joints.size(); ++i) {
-        if (Status status = check_loop_joint(plan, i); !status) return status;
     }
     return {};
 }
@@ -149,7 +121,6 @@ public:
             place_joint(b);
         weigh_trees();
         derive_inertias(model_);
-        if (Status status = place_loop_joints(); !status) return status.error();
         set_motors();
         CAMBRIAN_ASSERT(are_parents_before_children(model_), "a parent comes before its children");
         CAMBRIAN_ASSERT(are_bodies_sound(), "bodies have masses, joints have stops in order");
@@ -395,30 +366,7 @@ private:
         }
     }
 
-    Status place_loop_joints() {
-        Kinematics rest;
-        compute_kinematics(model_, rest_motion(model_), rest);
-        for (std::size_t i = 0; i < plan_.loop_joints.size(); ++i) {
-            const PlannedLoopJoint& planned = plan_.loop_joints[i];
-            const Vec2 a = part_point(planned.part_a, planned.anchor_in_a);
-            const Vec2 b = part_point(planned.part_b, planned.anchor_in_b);
-            const LoopJoint joint{model_.part_body[planned.part_a],
-                                  model_.part_body[planned.part_b],
-                                  a.x(),
-                                  a.y(),
-                                  b.x(),
-                                  b.y()};
-            if (joint.body_a == joint.body_b)
-                return loop_joint_error(i, "both its parts belong to one rigid body");
-            if (!(loop_gap(rest, joint, loop_arms(rest, joint)).norm() <= kMaxPinGap))
-                return loop_joint_error(i, "its points are over 1e-6 m apart in the rest pose");
-            model_.loop_joints.push_back(joint);
-        }
-        return {};
-    }
-
-    // I_eff = 1 / (relative acceleration under a unit effort at this joint alone), without
-    // loop-closure joints.
+    // I_eff = 1 / (relative acceleration under a unit effort at this joint alone).
     void set_motors() {
         const Motion rest = rest_motion(model_);
         Kinematics kinematics;

@@ -10,9 +10,7 @@ namespace cambrian {
 
 // `density` is in kg/m^2 and positive. Fails, naming the part, for more than 32 bodies or 64 parts,
 // boxes thinner than 2 cm, numbers that are not finite, children before parents, limits in the
-// wrong order, and bodies lighter than 1e-4 of the total mass. It also fails for more than 64 loop
-// joints, and for loop joints that name no part, connect points of one body or are over 1e-6 m
-// apart in the rest pose.
+// wrong order, and bodies lighter than 1e-4 of the total mass.
 Result<PlanarModel> build_planar_model(const BodyPlan& plan, double density);
 
 }  // namespace cambrian

@@ -638,13 +638,11 @@ bool deforms(const BodyPlan& plan) {
                        [](const PlannedPart& part) { return part.stretch.has_value(); });
 }
 
-// `holds` says which integrators can compute bodies with these.
-Error need_another_integrator(const char* what, const std::string& id,
-                              bool IntegratorKind::*holds) {
+Error need_another_integrator(const std::string& id) {
     std::string message =
-        fmt::format("body plan: {} need another integrator than \"{}\":", what, id);
+        fmt::format("body plan: deformable parts need another integrator than \"{}\":", id);
     for (const IntegratorKind& integrator : builtin_integrators().all()) {
-        if (integrator.*holds) message += fmt::format(" \"{}\"", integrator.id);
+        if (integrator.holds_stretches) message += fmt::format(" \"{}\"", integrator.id);
     }
     return {message};
 }
@@ -655,12 +653,8 @@ Result<std::unique_ptr<PhysicsScene>> CAMBRIAN_SCENE_COPY::make_planar_scene(
     const BodyPlan& plan, const Environment& environment, const SceneSettings& settings) {
     const IntegratorKind* integrator = builtin_integrators().find(settings.integrator);
     if (integrator == nullptr) return unknown_integrator(settings.integrator);
-    if (!plan.loop_joints.empty() && !integrator->holds_loops)
-        return need_another_integrator("closed loops", integrator->id,
-                                       &IntegratorKind::holds_loops);
     if (deforms(plan) && !integrator->holds_stretches)
-        return need_another_integrator("deformable parts", integrator->id,
-                                       &IntegratorKind::holds_stretches);
+        return need_another_integrator(integrator->id);
     if (Status status = check_surroundings(environment, settings); !status) return status.error();
     Result<PlanarModel> model = build_planar_model(plan, environment.density);
     if (!model) return model.error();

@@ -57,19 +57,9 @@ struct PlannedPart {
     std::optional<PlannedStretch> stretch = {};  // of a deformable part
 };
 
-// Closes a loop: a rotary joint, without motor or limits, between two parts that the tree of
-// parents does not join. Its two points coincide in the rest pose.
-struct PlannedLoopJoint {
-    int part_a = 0;
-    int part_b = 0;
-    Vec3 anchor_in_a = Vec3::Zero();  // m, in part a's frame
-    Vec3 anchor_in_b = Vec3::Zero();  // m, in part b's frame
-};
-
 // parts[0] is the root; every parent comes before its children.
 struct BodyPlan {
     std::vector<PlannedPart> parts;
-    std::vector<PlannedLoopJoint> loop_joints = {};  // may be redundant
 };
 
 }  // namespace cambrian

@@ -1,6 +1,5 @@
 #include "dynamics/articulated/least_squares_dynamics.h"
 
-#include "dynamics/model/loop_joints.h"
 #include "math/types.h"
 
 #include <Eigen/QR>
@@ -12,6 +11,19 @@ namespace {
 // constraints slightly different.
 constexpr double kLeastSquaresRankThreshold = 1e-10;
 
+Vec2 perp(const Vec2& v) {
+    return {-v.y(), v.x()};
+}
+
+// Rotates a vector from a body's frame to the world.
+Vec2 to_world(const Kinematics& k, Eigen::Index body, double x, double y) {
+    return {k.cosine[body] * x - k.sine[body] * y, k.sine[body] * x + k.cosine[body] * y};
+}
+
+Vec2 place(const Kinematics& k, Eigen::Index body) {
+    return {k.x[body], k.y[body]};
+}
+
 Vec2 velocity(const Kinematics& k, Eigen::Index body) {
     return {k.velocity_x[body], k.velocity_y[body]};
 }
@@ -22,8 +34,7 @@ LeastSquaresDynamics::LeastSquaresDynamics(const PlanarModel& model, double time
     : model_(model), time_constant_(time_constant) {
     const Eigen::Index bodies = model.body_count;
     const Eigen::Index columns = 3 * bodies;
-    const auto loop_joints = static_cast<Eigen::Index>(model.loop_joints.size());
-    const Eigen::Index rows = 2 * (bodies - model.tree_count + loop_joints);
+    const Eigen::Index rows = 2 * (bodies - model.tree_count);
     inverse_mass_.resize(columns);
     for (Eigen::Index i = 0; i < bodies; ++i)
         inverse_mass_.segment<3>(3 * i) << 1.0 / model.mass[i], 1.0 / model.mass[i],
@@ -36,27 +47,20 @@ LeastSquaresDynamics::LeastSquaresDynamics(const PlanarModel& model, double time
     bias_.resize(rows);
 }
 
-// D = c_a + r_a - c_b - r_b.
-void LeastSquaresDynamics::add_point_constraint(const Kinematics& k, Eigen::Index row,
-                                                const LoopJoint& joint) {
-    const Eigen::Index a = 3 * Eigen::Index{joint.body_a};
-    const Eigen::Index b = 3 * Eigen::Index{joint.body_b};
-    const LoopArms arms = loop_arms(k, joint);
-    jacobian_.block<2, 2>(row, a).setIdentity();
-    jacobian_.block<2, 1>(row, a + 2) = perp(arms.a);
-    jacobian_.block<2, 2>(row, b) = -Mat2::Identity();
-    jacobian_.block<2, 1>(row, b + 2) = -perp(arms.b);
-    deviation_.segment<2>(row) = loop_gap(k, joint, arms);
-    bias_.segment<2>(row) = loop_bias(k, joint, arms);
-}
-
+// D = c_p + r_p - c_i - r_c.
 void LeastSquaresDynamics::add_revolute(const Kinematics& k, Eigen::Index row, int body,
                                         double effort) {
-    const int p = model_.parent[body];
-    add_point_constraint(k, row,
-                         {p, body, model_.parent_anchor_x[body], model_.parent_anchor_y[body],
-                          model_.child_anchor_x[body], model_.child_anchor_y[body]});
-    force_(3 * body + 2) += effort;
+    const Eigen::Index i = body;
+    const Eigen::Index p = model_.parent[i];
+    const Vec2 parent_arm = to_world(k, p, model_.parent_anchor_x[i], model_.parent_anchor_y[i]);
+    const Vec2 child_arm = to_world(k, i, model_.child_anchor_x[i], model_.child_anchor_y[i]);
+    jacobian_.block<2, 2>(row, 3 * p).setIdentity();
+    jacobian_.block<2, 1>(row, 3 * p + 2) = perp(parent_arm);
+    jacobian_.block<2, 2>(row, 3 * i) = -Mat2::Identity();
+    jacobian_.block<2, 1>(row, 3 * i + 2) = -perp(child_arm);
+    deviation_.segment<2>(row) = place(k, p) + parent_arm - place(k, i) - child_arm;
+    bias_.segment<2>(row) = k.spin[i] * k.spin[i] * child_arm - k.spin[p] * k.spin[p] * parent_arm;
+    force_(3 * i + 2) += effort;
     force_(3 * p + 2) -= effort;
 }
 
@@ -65,10 +69,10 @@ void LeastSquaresDynamics::add_prismatic(const Kinematics& k, Eigen::Index row, 
                                          double effort) {
     const Eigen::Index i = body;
     const Eigen::Index p = model_.parent[i];
-    const Vec2 axis = turned(k, p, model_.axis_x[i], model_.axis_y[i]);
+    const Vec2 axis = to_world(k, p, model_.axis_x[i], model_.axis_y[i]);
     const Vec2 across = perp(axis);
-    const Vec2 parent_arm = turned(k, p, model_.parent_anchor_x[i], model_.parent_anchor_y[i]);
-    const Vec2 child_arm = turned(k, i, model_.child_anchor_x[i], model_.child_anchor_y[i]);
+    const Vec2 parent_arm = to_world(k, p, model_.parent_anchor_x[i], model_.parent_anchor_y[i]);
+    const Vec2 child_arm = to_world(k, i, model_.child_anchor_x[i], model_.child_anchor_y[i]);
     const Vec2 delta = place(k, i) + child_arm - place(k, p) - parent_arm;
     const Vec2 delta_rate = velocity(k, i) + k.spin[i] * perp(child_arm) - velocity(k, p) -
                             k.spin[p] * perp(parent_arm);
@@ -106,10 +110,6 @@ const Eigen::VectorXd& LeastSquaresDynamics::solve(const Kinematics& bodies, con
             add_prismatic(bodies, row, i, loads.effort[i]);
         else
             add_revolute(bodies, row, i, loads.effort[i]);
-        row += 2;
-    }
-    for (const LoopJoint& joint : model_.loop_joints) {
-        add_point_constraint(bodies, row, joint);
         row += 2;
     }
     accelerations_ = inverse_mass_.cwiseProduct(force_);

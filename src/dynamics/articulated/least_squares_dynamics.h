@@ -1,9 +1,8 @@
 #pragma once
 
 // The equation of constraint forces in three dependent coordinates for each body, solved by dense
-// least squares (dynamics/README.md 18). It accepts any topology and redundant constraints, and
-// closes joints that have come apart. It is slow, and the reference for the articulated body
-// algorithm.
+// least squares (dynamics/README.md 18). It closes joints that have come apart. It is slow, and the
+// reference for the articulated body algorithm.
 
 #include "dynamics/articulated/articulated_body.h"
 
@@ -20,12 +19,10 @@ public:
     // positions, angles and velocities.
     const Eigen::VectorXd& solve(const Kinematics& bodies, const Loads& loads);
 
-    // Deviations of the joints after solve(), in m and rad: two rows for each joint, then two for
-    // each loop-closure joint.
+    // Deviations of the joints after solve(), in m and rad: two rows for each joint.
     const Eigen::VectorXd& deviation() const { return deviation_; }
 
 private:
-    void add_point_constraint(const Kinematics& bodies, Eigen::Index row, const LoopJoint& joint);
     void add_revolute(const Kinematics& bodies, Eigen::Index row, int body, double effort);
     void add_prismatic(const Kinematics& bodies, Eigen::Index row, int body, double effort);
 

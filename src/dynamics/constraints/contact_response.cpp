@@ -5,7 +5,6 @@
 // impossible for real surfaces. Then the problem is solved again without restitution and, if
 // necessary, without friction.
 
-#include "dynamics/articulated/loop_closure.h"
 #include "dynamics/constraints/contact_solver.h"
 #include "dynamics/constraints/invariants.h"
 
@@ -112,7 +111,7 @@ ImpactResult ContactSolver::solve_impact(const PlanarModel& model, const Contact
     BodyResponse jump;
     clear_loads(model, loads);
     add_row_impulses(rows_, rows_.impulse, 1.0, loads);
-    solve_closed_impulse(model, cache.kinematics, cache.factors, loads, jump);
+    solve_impulse(model, cache.kinematics, cache.factors, loads, jump);
     for (int c = 0; c < coordinate_count(model); ++c)
         motion.speed[c] += jump.coordinate[c];
     return result;

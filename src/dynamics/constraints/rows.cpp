@@ -1,6 +1,5 @@
 #include "dynamics/constraints/rows.h"
 
-#include "dynamics/articulated/loop_closure.h"
 #include "dynamics/constraints/delassus_matrix.h"
 #include "dynamics/constraints/invariants.h"
 #include "dynamics/model/stretching.h"
@@ -9,8 +8,6 @@
 
 namespace cambrian {
 namespace {
-
-constexpr double kLoopSoftness = 0.02;  // smallest diagonal element, relative to that without loops
 
 struct Planar {
     double x, y;  // m/s or m/s^2
@@ -276,28 +273,6 @@ void add_limit_rows(const PlanarModel& model, const LimitSet& limits, const Kine
     }
 }
 
-// Subtracts the effect of loop-closure joints from the matrix: B A+ B', with the rates B of the
-// rows under unit impulses of the joints. Rows in which the mechanism hardly moves are regularised.
-void close_loops(const PlanarModel& model, const EvaluationCache& cache, ConstraintSystem& rows) {
-    const LoopClosure loops(model, cache.kinematics, cache.factors);
-    const std::vector<BodyResponse>& units = loops.unit_responses();
-    Eigen::MatrixXd effect(rows.count, static_cast<Eigen::Index>(units.size()));
-    for (int row = 0; row < rows.count; ++row) {
-        for (std::size_t joint = 0; joint < units.size(); ++joint)
-            effect(row, static_cast<Eigen::Index>(joint)) =
-                row_rate(model, rows[row], units[joint]) + stretches_rate(rows, row, units[joint]);
-    }
-    const Eigen::MatrixXd held = effect * loops.impulses(effect.transpose());
-    for (int row = 0; row < rows.count; ++row) {
-        const double open = rows.coupling(row, row);
-        for (int column = 0; column < rows.count; ++column)
-            rows.line(row)[column] -= held(row, column);
-        const double softness = std::max(0.0, kLoopSoftness * open - rows.coupling(row, row));
-        rows[row].regularization += softness;
-        rows.line(row)[row] += softness;
-    }
-}
-
 }  // namespace
 
 void build_rows(const PlanarModel& model, const RowSources& sources, const Kinematics& detected,
@@ -324,7 +299,6 @@ void build_rows(const PlanarModel& model, const RowSources& sources, const Kinem
             find_stretches(model, cache.kinematics, rows[r], placed[rows[r].source]);
     add_limit_rows(model, sources.limits, detected, cache.response, rows);
     compute_delassus_matrix(model, cache, sources.friction_softness, rows);
-    if (!model.loop_joints.empty()) close_loops(model, cache, rows);
 }
 
 void rate_rows(const PlanarModel& model, const ConstraintSystem& rows,

@@ -1,7 +1,6 @@
 #include "dynamics/evaluation/accelerations.h"
 
 #include "core/assert.h"
-#include "dynamics/articulated/loop_closure.h"
 #include "dynamics/evaluation/dense_evaluation.h"
 #include "dynamics/evaluation/dense_response.h"
 #include "dynamics/forces/drag.h"
@@ -155,8 +154,6 @@ namespace {
     else
         solve_damped_accelerations(model, cache.kinematics, cache.loads, cache.motor_damping,
                                    cache.factors, cache.response);
-    if (!model.loop_joints.empty())
-        close_accelerations(model, cache.kinematics, cache.factors, cache.response);
     const int count = coordinate_count(model);
     for (int c = 0; c < count; c += kLanes)
         store_lanes(rate.acceleration + c, load_lanes(cache.response.coordinate + c));

@@ -13,7 +13,7 @@ struct EvaluationCache {
     Kinematics kinematics;
     Loads loads;
     Factors factors;
-    BodyResponse response;  // accelerations, with closed loops
+    BodyResponse response;  // accelerations
     PerBody motor_effort;   // N m or N
     PerBody motor_damping;  // of implicit motors: effort lost per joint acceleration
     // The inverse of the mass matrix with the damping of the motors, by columns of DenseForm. It

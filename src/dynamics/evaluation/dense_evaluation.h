@@ -6,10 +6,9 @@
 
 namespace cambrian {
 
-// Whether the dense form applies: no contact forces, no pull and no closed loops.
+// Whether the dense form applies: no contact forces and no pull.
 inline bool is_dense(const PlanarModel& model, const Forcing& forcing) {
-    return model.dense.blocks > 0 && forcing.held == nullptr && forcing.pulls.empty() &&
-           model.loop_joints.empty();
+    return model.dense.blocks > 0 && forcing.held == nullptr && forcing.pulls.empty();
 }
 
 // Does what evaluate_accelerations does, with an incomplete cache: it has no geometry of the

@@ -22,8 +22,8 @@ void attempt_bogacki_shampine_step(const MotionSystem& system, const StepRequest
 }  // namespace
 
 void add_bogacki_shampine(IntegratorRegistry& integrators) {
-    integrators.add({"bogacki-shampine", "Bogacki-Shampine", attempt_bogacki_shampine_step, 3,
-                     1.0 / 60, false, true});
+    integrators.add(
+        {"bogacki-shampine", "Bogacki-Shampine", attempt_bogacki_shampine_step, 3, 1.0 / 60, true});
 }
 
 }  // namespace cambrian

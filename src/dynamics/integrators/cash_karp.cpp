@@ -36,7 +36,7 @@ void attempt_cash_karp_step(const MotionSystem& system, const StepRequest& reque
 }  // namespace
 
 void add_cash_karp(IntegratorRegistry& integrators) {
-    integrators.add({"cash-karp", "Cash-Karp", attempt_cash_karp_step, 5, 1.0 / 60, false, true});
+    integrators.add({"cash-karp", "Cash-Karp", attempt_cash_karp_step, 5, 1.0 / 60, true});
 }
 
 }  // namespace cambrian

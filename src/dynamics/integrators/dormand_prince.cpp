@@ -30,8 +30,8 @@ void attempt_dormand_prince_step(const MotionSystem& system, const StepRequest& 
 }  // namespace
 
 void add_dormand_prince(IntegratorRegistry& integrators) {
-    integrators.add({"dormand-prince", "Dormand-Prince", attempt_dormand_prince_step, 5, 1.0 / 60,
-                     false, true});
+    integrators.add(
+        {"dormand-prince", "Dormand-Prince", attempt_dormand_prince_step, 5, 1.0 / 60, true});
 }
 
 }  // namespace cambrian

@@ -1,9 +1,8 @@
 // The reference integrator (dynamics/README.md 18): every body has three coordinates. The classical
 // Runge-Kutta method of fourth order moves them under constraint forces found by dense least
-// squares. At the step's end the small gaps of joints and loops are projected away.
+// squares. At the step's end the small gaps of joints are projected away.
 
 #include "dynamics/articulated/least_squares_dynamics.h"
-#include "dynamics/articulated/loop_closure.h"
 #include "dynamics/integrators/builtin_integrators.h"
 
 namespace cambrian {
@@ -129,18 +128,13 @@ void attempt_least_squares_step(const MotionSystem& system, const StepRequest& r
                     result.end_rate);
     result.error = 0.0;
     result.evaluations = 5;
-    if (model.loop_joints.empty()) return;
-    LoopClosure(model, cache.kinematics, cache.factors).close_drift(result.end);
-    system.evaluate(result.end, request.time + h, EvaluationDetail::kEverything, cache,
-                    result.end_rate);
-    ++result.evaluations;
 }
 
 }  // namespace
 
 void add_least_squares(IntegratorRegistry& integrators) {
-    integrators.add({"least-squares", "Least squares", attempt_least_squares_step, 4, 1.0 / 240,
-                     true, false, false});
+    integrators.add(
+        {"least-squares", "Least squares", attempt_least_squares_step, 4, 1.0 / 240, false, false});
 }
 
 }  // namespace cambrian

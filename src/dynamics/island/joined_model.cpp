@@ -28,7 +28,6 @@ public:
                             joined_.part_count + member.part_count <= kMaxParts &&
                             joined_.tree_count + member.tree_count <= kMaxTrees,
                         "joined bodies have room");
-        CAMBRIAN_ASSERT(member.loop_joints.empty(), "joined bodies have no closed loops");
         add_bodies(member);
         add_trees(member);
         add_parts(member);

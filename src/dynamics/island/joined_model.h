@@ -8,8 +8,8 @@
 
 namespace cambrian {
 
-// The counts of the models together must be within the limits of planar_model.h, and none may have
-// loop-closure joints. Boxes of different members may touch.
+// The counts of the models together must be within the limits of planar_model.h.
+// Boxes of different members may touch.
 PlanarModel join_models(std::span<const PlanarModel* const> members);
 
 }  // namespace cambrian

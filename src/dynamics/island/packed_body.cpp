@@ -266,7 +266,6 @@ SceneMotion PackedBody::motion() const {
 
 void PackedBody::swap_lists(SceneBody& body) {
     std::swap(body.model.colliding_pairs, colliding_pairs_);
-    std::swap(body.model.loop_joints, loop_joints_);
     std::swap(body.forcing.pulls, pulls_);
 }
 

@@ -41,7 +41,6 @@ private:
     PackedNumbers model_, moment_, rest_;
     ContactLaw law_;
     std::vector<PartPair> colliding_pairs_;
-    std::vector<LoopJoint> loop_joints_;
     std::vector<HeldForce> pulls_;
 };
 

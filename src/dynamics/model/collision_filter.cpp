@@ -35,12 +35,7 @@ double gap_along_axes(const RestBox& a, const RestBox& b) {
 }
 
 bool share_joint(const PlanarModel& model, int a, int b) {
-    if (model.parent[a] == b || model.parent[b] == a) return true;
-    return std::any_of(model.loop_joints.begin(), model.loop_joints.end(),
-                       [&](const LoopJoint& joint) {
-                           return (joint.body_a == a && joint.body_b == b) ||
-                                  (joint.body_a == b && joint.body_b == a);
-                       });
+    return model.parent[a] == b || model.parent[b] == a;
 }
 
 }  // namespace

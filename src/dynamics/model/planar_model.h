@@ -24,7 +24,6 @@ inline constexpr int kMostPlannedTrees = 8;
 inline constexpr int kMaxBodies = 60;
 inline constexpr int kMaxParts = 64;
 inline constexpr int kMaxTrees = 20;
-inline constexpr int kMaxLoopJoints = 64;
 inline constexpr int kContactsOfOne = 48;
 inline constexpr int kMaxCoordinates = kMaxBodies + 2 * kMaxTrees;
 
@@ -38,15 +37,6 @@ using BodySet = std::uint64_t;  // one bit for each body
 struct PartPair {
     std::uint8_t first = 0;
     std::uint8_t second = 0;
-};
-
-// A loop-closure joint: a point of body a coincides with a point of body b. Both are offsets from
-// the body's centre, in its frame.
-struct LoopJoint {
-    int body_a = 0;
-    int body_b = 0;
-    double a_x = 0.0, a_y = 0.0;  // m
-    double b_x = 0.0, b_y = 0.0;  // m
 };
 
 // The coefficients of the motor law, one formula for all modes (motors.cpp); 0 on roots.
@@ -134,8 +124,6 @@ struct PlanarModel {
     PerBody box_half_length = {}, box_half_width = {};  // m
 
     std::vector<PartPair> colliding_pairs;  // boxes of different bodies that may touch
-
-    std::vector<LoopJoint> loop_joints;  // loop-closure joints; see loop_closure.h
 
     PerTree rest_center_x = {}, rest_center_y = {};  // m, centres of mass in the plan's rest pose
     PerTree rest_root_angle = {};                    // rad

@@ -49,9 +49,8 @@ struct IntegratorKind {
     // Attempts one step. Afterwards the cache is that of the step's end, with kEverything.
     void (*attempt)(const MotionSystem& system, const StepRequest& request, EvaluationCache& cache,
                     StepResult& result) = nullptr;
-    int error_order = 1;       // order of the error in the step's length
-    double max_step = 0.0;     // s
-    bool holds_loops = false;  // whether it supports loop-closure joints
+    int error_order = 1;    // order of the error in the step's length
+    double max_step = 0.0;  // s
     // Whether steps with contact forces are midpoint steps (midpoint_step.h) instead.
     bool rows_at_middle = false;
     bool holds_stretches = true;  // whether it supports deformable parts

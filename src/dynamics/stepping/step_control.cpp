@@ -1,6 +1,5 @@
 #include "dynamics/stepping/step_control.h"
 
-#include "dynamics/articulated/loop_closure.h"
 #include "dynamics/constraints/invariants.h"
 #include "dynamics/evaluation/cache_numbers.h"
 #include "dynamics/stepping/audit.h"
@@ -98,8 +97,7 @@ ComputedParts parts_computed_of(const PlanarModel& model) {
     return {.counts = counts_of(model),
             .dense_blocks = model.dense.blocks,
             .has_slides = model.has_slides,
-            .has_stretches = model.stretch_count > 0,
-            .has_loops = !model.loop_joints.empty()};
+            .has_stretches = model.stretch_count > 0};
 }
 
 template <class Numbers>
@@ -443,7 +441,7 @@ void StepControl::respond_to_held(const Tick& tick, BodyResponse& response) cons
     Loads loads;
     clear_loads(tick.model, loads);
     add_held_forces(tick.model, contacts_.held(), cache.kinematics, loads);
-    solve_closed_impulse(tick.model, cache.kinematics, cache.factors, loads, response);
+    solve_impulse(tick.model, cache.kinematics, cache.factors, loads, response);
 }
 
 // Returns the accelerations at the start under the constant forces: those without contact plus a
@@ -496,8 +494,8 @@ BodySet StepControl::free_trees(const Tick& tick) const {
     const Forcing& forcing = tick.forcing;
     const bool is_one = model.tree_count == 1;
     const Medium& medium = forcing.medium;
-    if (!is_one && (medium.drag_linear > 0.0 || medium.drag_quadratic > 0.0 ||
-                    !forcing.pulls.empty() || !model.loop_joints.empty()))
+    if (!is_one &&
+        (medium.drag_linear > 0.0 || medium.drag_quadratic > 0.0 || !forcing.pulls.empty()))
         return 0;
     BodySet touched = 0;
     const HeldForces& held = contacts_.held();

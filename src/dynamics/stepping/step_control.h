@@ -105,13 +105,13 @@ struct SolverTally {
 struct ComputedParts {
     NumberCounts counts;
     int dense_blocks = 0;
-    bool has_slides = false, has_stretches = false, has_loops = false;
+    bool has_slides = false, has_stretches = false;
 
     friend bool operator==(const ComputedParts&, const ComputedParts&) = default;
     // Whether the same numbers are computed of each body as of another model's.
     bool is_alike(const ComputedParts& other) const {
         return (dense_blocks > 0) == (other.dense_blocks > 0) && has_slides == other.has_slides &&
-               has_stretches == other.has_stretches && has_loops == other.has_loops;
+               has_stretches == other.has_stretches;
     }
 };
 

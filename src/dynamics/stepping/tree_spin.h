@@ -1,6 +1,6 @@
 #pragma once
 
-// The rotation of a tree about its centre of mass, and its correction (dynamics/README.md 24).
+// The rotation of a tree about its centre of mass, and its correction (dynamics/README.md 17).
 
 #include "dynamics/model/kinematics.h"
 
