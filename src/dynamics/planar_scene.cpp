@@ -1,7 +1,6 @@
 #include "core/assert.h"
 #include "core/text/nearest_name.h"
 #include "dynamics/integrators/builtin_integrators.h"
-#include "dynamics/island/joined_scenes.h"
 #include "dynamics/island/packed_body.h"
 #include "dynamics/island/scene_body.h"
 #include "dynamics/model/stretching.h"

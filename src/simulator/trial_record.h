@@ -3,18 +3,69 @@
 // The record of a trial: sampled motion, the highest jump, the energy audit, a digest.
 
 #include "math/bounds.h"
+#include "math/types.h"
 #include "simulator/contest/bout_distances.h"
 #include "simulator/jump_watch.h"
-#include "simulator/outcome.h"
-#include "simulator/surroundings/light_legs.h"
 #include "world/physics_scene.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cambrian {
+
+// How the evaluation of a creature ended.
+enum class Outcome : std::uint8_t {
+    kCompleted,
+    kStoppedEarly,  // terminated because the rest could not matter
+    kRejected,      // not simulated: no movable joint, or no connected control
+    kDiverged,      // physics found no finite motion
+    kDisqualified,  // a limit of the trial was exceeded (simulator/README.md 2)
+    kOverBudget,    // computing the motion would take too long
+    kInterrupted,   // stopped from outside; not caused by the creature
+};
+
+// Returns how far a creature came, from 0 for a completed trial to 3 for a motion that is invalid.
+// Scores compare only creatures that came equally far; whoever came less far ranks below.
+int shortfall(Outcome outcome);
+
+// Returns whether the creature itself is the reason why there is no valid motion.
+bool is_invalid(Outcome outcome);
+
+std::string_view outcome_name(Outcome outcome);  // "completed", "stopped-early"...
+
+// Distances of a creature to the light, for each leg of a trial. A leg lasts from one jump of
+// the light to the next. Distances are from the centre of mass to the light, in m.
+
+struct LightLeg {
+    double start = 0.0;
+    double unit = 0.0;     // body length at the start, m, the unit of the way that was set
+    double end = 0.0;      // so far
+    double nearest = 0.0;  // so far
+    double mean = 0.0;     // over the ticks so far
+    int ticks = 0;
+};
+
+class LightLegs {
+public:
+    // Reserves memory for the legs of a trial.
+    void reserve(std::size_t legs);
+    // Records the distance at the start of a leg, before its first tick, and the body's length so
+    // far.
+    void begin(double distance, double length);
+    // Records the distance after a tick.
+    void watch(double distance);
+    // Adds legs with the last distance until there are this many, for a trial that ended at rest.
+    void rest(std::size_t legs);
+
+    const std::vector<LightLeg>& all() const { return legs_; }
+
+private:
+    std::vector<LightLeg> legs_;
+};
 
 struct MotionSample {
     double time = 0.0;  // s since the test began

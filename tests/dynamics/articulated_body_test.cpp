@@ -1,7 +1,6 @@
 #include "dynamics/articulated/articulated_body.h"
 
 #include "dynamics/articulated/least_squares_dynamics.h"
-#include "dynamics/articulated/paired_impulses.h"
 #include "dynamics/bodies.h"
 #include "dynamics/model_building.h"
 #include "support/catch.h"

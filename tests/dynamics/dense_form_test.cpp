@@ -3,8 +3,6 @@
 #include "dynamics/bodies.h"
 #include "dynamics/constraints/rows.h"
 #include "dynamics/evaluation/accelerations.h"
-#include "dynamics/evaluation/dense_evaluation.h"
-#include "dynamics/evaluation/dense_response.h"
 #include "dynamics/model_building.h"
 #include "dynamics/random_motion.h"
 #include "support/catch.h"

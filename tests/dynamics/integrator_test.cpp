@@ -1,5 +1,5 @@
 #include "dynamics/rig.h"
-#include "dynamics/stepping/dense_output.h"
+#include "dynamics/stepping/time_of_impact.h"
 #include "support/catch.h"
 
 #include <cmath>

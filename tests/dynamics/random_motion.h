@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/random.h"
-#include "dynamics/model/motion.h"
 #include "dynamics/model/planar_model.h"
 
 namespace cambrian {

@@ -2,7 +2,6 @@
 
 #include "dynamics/bodies.h"
 #include "dynamics/forces/drag.h"
-#include "dynamics/forces/stretched_drag.h"
 #include "dynamics/model_building.h"
 #include "math/elementary.h"
 #include "support/catch.h"

@@ -5,7 +5,6 @@
 #include "dynamics/model/stretching.h"
 
 #include "dynamics/articulated/articulated_body.h"
-#include "dynamics/articulated/paired_impulses.h"
 #include "dynamics/bodies.h"
 #include "dynamics/model_building.h"
 #include "support/catch.h"

@@ -1,9 +1,7 @@
 #include "dynamics/articulated/articulated_body.h"
 
 #include "core/assert.h"
-#include "dynamics/articulated/root_inverse.h"
-#include "dynamics/articulated/stretched_tree.h"
-#include "dynamics/model/forcing.h"
+#include "dynamics/model/planar_model.h"
 
 namespace cambrian {
 namespace {

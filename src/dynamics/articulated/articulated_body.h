@@ -52,4 +52,64 @@ void solve_impulse(const PlanarModel& model, const Kinematics& kinematics, const
 
 void clear_loads(const PlanarModel& model, Loads& loads);
 
+// The root of a tree: its articulated inertia [[A, h], [h', j]] is inverted by cofactors.
+
+CAMBRIAN_INLINE RootInverse invert_inertia(double xx, double xy, double yy, double xt, double yt,
+                                           double tt) {
+    const double cofactor_xx = yy * tt - yt * yt;
+    const double cofactor_xy = xt * yt - xy * tt;
+    const double cofactor_xt = xy * yt - yy * xt;
+    const double inverse = 1.0 / (xx * cofactor_xx + xy * cofactor_xy + xt * cofactor_xt);
+    return {cofactor_xx * inverse, cofactor_xy * inverse,         (xx * tt - xt * xt) * inverse,
+            cofactor_xt * inverse, (xy * xt - xx * yt) * inverse, (xx * yy - xy * xy) * inverse};
+}
+
+// Solves for the acceleration or velocity jump of a root's pivot.
+CAMBRIAN_INLINE void solve_root(const RootInverse& inverse, int root, const Simd2d& f, double t,
+                                BodyResponse& response) {
+    response.x[root] = inverse.xx * f[0] + inverse.xy * f[1] + inverse.xt * t;
+    response.y[root] = inverse.xy * f[0] + inverse.yy * f[1] + inverse.yt * t;
+    response.spin[root] = inverse.xt * f[0] + inverse.yt * f[1] + inverse.tt * t;
+    response.coordinate[root] = response.spin[root];
+}
+
+// Computes the accelerations or velocity jumps of the trees' centres of mass from the external
+// forces or impulses.
+CAMBRIAN_INLINE void move_centers(const PlanarModel& model, const Loads& loads,
+                                  PerCoordinate& coordinate) {
+    const int slots = round_up_to_lanes(model.body_count);
+    for (int t = 0; t < model.tree_count; ++t) {
+        const double* members = model.members_of(t).membership;
+        const double share = 1.0 / model.tree_mass[t];
+        const Simd4dVector forces = weighted_sums(members, loads.force_x, loads.force_y, slots);
+        coordinate[center_of(model, t)] = share * sum_of(forces.x);
+        coordinate[center_of(model, t) + 1] = share * sum_of(forces.y);
+    }
+}
+
+// The articulated body algorithm for trees with stretches (dynamics/README.md 20): a deformable
+// body eliminates its stretch before its joint is looked at, and what is left is a rigid body to
+// the joint. The factors of a stretch's slot are w, w_3 (to the body's spin) and 1/d.
+
+// Does what solve_accelerations does, with the damping that the factors hold.
+void solve_stretched_accelerations(const PlanarModel& model, const Kinematics& kinematics,
+                                   const Loads& loads, Factors& factors, BodyResponse& response);
+
+// Does what solve_impulse does.
+void solve_stretched_impulse(const PlanarModel& model, const Kinematics& kinematics,
+                             const Factors& factors, const Loads& impulses, BodyResponse& response);
+
+// Responses to two sets of impulses at once, in the halves of one vector.
+
+// Does what solve_impulse does for each of the two, but fills only the jumps of the coordinates,
+// with 0 beyond their count.
+void solve_paired_impulses(const PlanarModel& model, const Kinematics& kinematics,
+                           const Factors& factors, const Loads (&impulses)[2],
+                           PerCoordinate (&jumps)[2]);
+
+// Does the same for impulses that are efforts of joints only.
+void solve_paired_efforts(const PlanarModel& model, const Kinematics& kinematics,
+                          const Factors& factors, const PerBody (&efforts)[2],
+                          PerCoordinate (&jumps)[2]);
+
 }  // namespace cambrian

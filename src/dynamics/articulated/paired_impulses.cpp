@@ -1,7 +1,5 @@
-#include "dynamics/articulated/paired_impulses.h"
 
-#include "dynamics/articulated/root_inverse.h"
-#include "dynamics/articulated/stretched_tree.h"
+#include "dynamics/articulated/articulated_body.h"
 
 namespace cambrian {
 namespace {

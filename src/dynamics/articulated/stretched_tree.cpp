@@ -1,7 +1,6 @@
-#include "dynamics/articulated/stretched_tree.h"
 
 #include "core/assert.h"
-#include "dynamics/articulated/root_inverse.h"
+#include "dynamics/articulated/articulated_body.h"
 #include "dynamics/model/stretching.h"
 
 namespace cambrian {

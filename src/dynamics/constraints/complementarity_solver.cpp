@@ -1,7 +1,7 @@
 #include "dynamics/constraints/complementarity_solver.h"
 
 #include "core/assert.h"
-#include "dynamics/model/block_count.h"
+#include "dynamics/model/simd.h"
 
 #include <algorithm>
 #include <cmath>

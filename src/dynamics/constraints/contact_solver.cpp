@@ -2,7 +2,6 @@
 
 #include "dynamics/constraints/invariants.h"
 #include "dynamics/contact/fixed_contacts.h"
-#include "dynamics/contact/ground_contacts.h"
 #include "dynamics/model/stretching.h"
 #include "world/environment.h"
 

@@ -5,10 +5,8 @@
 // Algorithms, 2008, chapter 8: the factors of the joint-space inertia). Only the bodies on the
 // paths from a row's bodies to their roots take part.
 
-#include "dynamics/constraints/delassus_matrix.h"
-
-#include "dynamics/constraints/dense_delassus_matrix.h"
 #include "dynamics/constraints/invariants.h"
+#include "dynamics/constraints/rows.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,9 +1,8 @@
 // With the generalised force J of each row's unit impulse on the angles and its total force F,
 //     W_rs = J_r M^-1 J_s' + F_r . F_s / mass.
 
-#include "dynamics/constraints/dense_delassus_matrix.h"
-
 #include "core/assert.h"
+#include "dynamics/constraints/rows.h"
 #include "dynamics/model/dense_lanes.h"
 
 namespace cambrian {

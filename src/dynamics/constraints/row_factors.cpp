@@ -1,7 +1,6 @@
-#include "dynamics/constraints/row_factors.h"
-
 #include "core/assert.h"
-#include "dynamics/model/block_count.h"
+#include "dynamics/constraints/complementarity_solver.h"
+#include "dynamics/model/simd.h"
 
 #include <algorithm>
 

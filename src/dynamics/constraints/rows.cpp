@@ -1,6 +1,5 @@
 #include "dynamics/constraints/rows.h"
 
-#include "dynamics/constraints/delassus_matrix.h"
 #include "dynamics/constraints/invariants.h"
 #include "dynamics/model/stretching.h"
 

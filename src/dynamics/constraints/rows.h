@@ -103,4 +103,17 @@ inline double impulse_effect(const ConstraintSystem& rows, int row) {
     return rows.response[row] - rows[row].regularization * rows.impulse[row];
 }
 
+// Fills the Delassus matrix and its regularisation (dynamics/README.md 9) from the factors of the
+// trees or from the inverse of the dense form. friction_softness: of friction rows, relative to the
+// diagonal element of the same bodies without joints.
+void compute_delassus_matrix(const PlanarModel& model, const EvaluationCache& cache,
+                             double friction_softness, ConstraintSystem& rows);
+
+// The Delassus matrix from the inverse mass matrix of the dense form (dense_form.h).
+
+// Fills the same matrix as compute_delassus_matrix does from the factors, without regularisation.
+// The cache must have its inverse and the rows their stride.
+void fill_dense_delassus_matrix(const PlanarModel& model, const EvaluationCache& cache,
+                                ConstraintSystem& rows);
+
 }  // namespace cambrian

@@ -2,7 +2,7 @@
 
 // Contact points of boxes with the ground or with each other (dynamics/README.md 8).
 
-#include "dynamics/model/forcing.h"
+#include "dynamics/model/planar_model.h"
 
 #include <cstdint>
 

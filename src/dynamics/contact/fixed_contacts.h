@@ -2,8 +2,9 @@
 
 // Contacts of boxes with boxes that never move (dynamics/README.md 8).
 
+#include "dynamics/contact/box_contacts.h"
 #include "dynamics/contact/contact.h"
-#include "dynamics/contact/swept_boxes.h"
+#include "dynamics/model/kinematics.h"
 #include "world/fixed_box.h"
 
 #include <span>
@@ -22,5 +23,11 @@ void detect_fixed_contacts(const PlanarModel& model, const Kinematics& kinematic
 [[gnu::noinline]] double count_looks_at_fixed(const BoxEnds& ends, const BoxTravels& travels,
                                               const BoxSides& sides,
                                               std::span<const FixedBox> fixed);
+
+// Contacts of the corners of boxes with the ground, the half-plane y <= 0.
+
+// Adds every corner nearer to the ground than kContactMargin.
+void detect_ground_contacts(const PlanarModel& model, const Kinematics& kinematics,
+                            const PartPlaces& places, ContactSet& contacts);
 
 }  // namespace cambrian

@@ -2,8 +2,8 @@
 
 // Contacts between boxes of one creature (dynamics/README.md 8).
 
+#include "dynamics/contact/box_contacts.h"
 #include "dynamics/contact/contact.h"
-#include "dynamics/contact/swept_boxes.h"
 
 #include <cstdint>
 

@@ -1,8 +1,6 @@
 #include "dynamics/evaluation/accelerations.h"
 
 #include "core/assert.h"
-#include "dynamics/evaluation/dense_evaluation.h"
-#include "dynamics/evaluation/dense_response.h"
 #include "dynamics/forces/drag.h"
 #include "dynamics/model/stretching.h"
 

@@ -4,7 +4,7 @@
 
 #include "dynamics/articulated/articulated_body.h"
 #include "dynamics/forces/motors.h"
-#include "dynamics/model/forcing.h"
+#include "dynamics/model/planar_model.h"
 
 namespace cambrian {
 
@@ -52,5 +52,36 @@ void compute_loads(const PlanarModel& model, const Forcing& forcing, const Evalu
 // Adds contact forces and limit efforts to the loads, with arms at the given positions.
 void add_held_forces(const PlanarModel& model, const HeldForces& held, const Kinematics& kinematics,
                      Loads& loads);
+
+// The right-hand side of the equations of motion in dense form (dense_form.h).
+
+// Whether the dense form applies: no contact forces and no pull.
+inline bool is_dense(const PlanarModel& model, const Forcing& forcing) {
+    return model.dense.blocks > 0 && forcing.held == nullptr && forcing.pulls.empty();
+}
+
+// Does what evaluate_accelerations does, with an incomplete cache: it has no geometry of the
+// joints, no factors, and a response of coordinates and spins only (find_centers, complete_cache).
+// With implicit motors it has the inverse mass matrix.
+void evaluate_dense(const PlanarModel& model, const Forcing& forcing, const Motion& motion,
+                    const EvaluationPoint& point, EvaluationCache& cache, MotionRate& rate);
+
+// Responses to loads and rates in the dense form (dense_form.h), without geometry of the joints.
+
+// Computes the accelerations of the centres from those of the coordinates.
+void accelerate_dense_centers(const PlanarModel& model, const Kinematics& kinematics,
+                              BodyResponse& response);
+
+// Computes spins and velocities of the centres for any rates of the coordinates.
+void spread_dense_rates(const PlanarModel& model, const Kinematics& place,
+                        const PerCoordinate& rates, PerBody& spin, PerBody& velocity_x,
+                        PerBody& velocity_y);
+
+// Compute the jumps of the speeds under loads as impulses, and under impulses of the joints alone.
+// Both need the cache's inverse. Slots beyond the count are 0.
+void solve_dense_impulse(const PlanarModel& model, const EvaluationCache& cache,
+                         const Loads& impulses, PerCoordinate& jump);
+void solve_dense_efforts(const PlanarModel& model, const EvaluationCache& cache,
+                         const PerBody& efforts, PerCoordinate& jump);
 
 }  // namespace cambrian

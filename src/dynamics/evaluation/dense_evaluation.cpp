@@ -1,9 +1,5 @@
-#include "dynamics/evaluation/dense_evaluation.h"
-
-#include "dynamics/evaluation/dense_response.h"
-#include "dynamics/forces/box_drag.h"
+#include "dynamics/evaluation/accelerations.h"
 #include "dynamics/forces/drag.h"
-#include "dynamics/forces/motor_lanes.h"
 #include "dynamics/forces/motors.h"
 #include "dynamics/model/dense_lanes.h"
 #include "math/elementary.h"

@@ -1,5 +1,4 @@
-#include "dynamics/evaluation/dense_response.h"
-
+#include "dynamics/evaluation/accelerations.h"
 #include "dynamics/model/dense_lanes.h"
 
 namespace cambrian {

@@ -3,7 +3,7 @@
 // How many numbers of each kind a model has. Memory that serves several models in turn is filled
 // and cleared by these counts.
 
-#include "dynamics/model/motion.h"
+#include "dynamics/model/planar_model.h"
 
 #include <algorithm>
 

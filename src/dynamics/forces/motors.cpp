@@ -10,7 +10,6 @@
 #include "dynamics/forces/motors.h"
 
 #include "core/assert.h"
-#include "dynamics/forces/motor_lanes.h"
 
 namespace cambrian {
 

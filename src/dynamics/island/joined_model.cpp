@@ -2,7 +2,7 @@
 
 #include "core/assert.h"
 #include "dynamics/island/model_fields.h"
-#include "dynamics/model/forcing.h"
+#include "dynamics/model/planar_model.h"
 
 #include <algorithm>
 #include <utility>

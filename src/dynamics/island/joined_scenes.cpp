@@ -1,4 +1,3 @@
-#include "dynamics/island/joined_scenes.h"
 
 #include "core/assert.h"
 #include "dynamics/island/joined_model.h"

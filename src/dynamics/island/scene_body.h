@@ -3,10 +3,12 @@
 // What a scene knows of its creature's body, so that several bodies can be advanced as one.
 
 #include "dynamics/stepping/step_control.h"
+#include "world/joined_scenes.h"
 #include "world/physics_scene.h"
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace cambrian {
@@ -54,5 +56,9 @@ struct StepWorkspace final : SceneWorkspace {
     std::vector<std::unique_ptr<SceneBody>> rooms;
     std::unique_ptr<SceneBody> joined;
 };
+
+// Scenes of articulated bodies that are advanced as one (dynamics/README.md 21).
+
+std::unique_ptr<JoinedScenes> join_body_scenes(std::span<PhysicsScene* const> scenes);
 
 }  // namespace cambrian

@@ -11,7 +11,7 @@
 // slot of a stretch, that of the body's centre per unit stretch rate.
 
 #include "dynamics/model/kinematics.h"
-#include "dynamics/model/motion.h"
+#include "dynamics/model/planar_model.h"
 
 namespace cambrian {
 

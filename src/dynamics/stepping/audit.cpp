@@ -1,7 +1,7 @@
 #include "dynamics/stepping/audit.h"
 
 #include "core/assert.h"
-#include "dynamics/model/part_places.h"
+#include "dynamics/model/kinematics.h"
 
 #include <algorithm>
 #include <cmath>

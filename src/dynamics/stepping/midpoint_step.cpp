@@ -1,9 +1,9 @@
 #include "dynamics/stepping/midpoint_step.h"
 
-#include "dynamics/articulated/paired_impulses.h"
+#include "dynamics/articulated/articulated_body.h"
 #include "dynamics/constraints/invariants.h"
+#include "dynamics/evaluation/accelerations.h"
 #include "dynamics/evaluation/cache_numbers.h"
-#include "dynamics/evaluation/dense_response.h"
 
 #include <cmath>
 

@@ -3,6 +3,7 @@
 // Forces on the measured parts of a model, as means over a tick, for sensors.
 
 #include "dynamics/contact/contact.h"
+#include "dynamics/model/kinematics.h"
 
 namespace cambrian {
 

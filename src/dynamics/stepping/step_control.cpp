@@ -3,7 +3,6 @@
 #include "dynamics/constraints/invariants.h"
 #include "dynamics/evaluation/cache_numbers.h"
 #include "dynamics/stepping/audit.h"
-#include "dynamics/stepping/dense_output.h"
 #include "dynamics/stepping/time_of_impact.h"
 #include "dynamics/stepping/tree_spin.h"
 #include "math/elementary.h"

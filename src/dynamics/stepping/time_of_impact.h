@@ -4,9 +4,24 @@
 // It is found by bracketing on the step's dense output.
 
 #include "dynamics/constraints/contact_solver.h"
-#include "dynamics/stepping/dense_output.h"
+#include "dynamics/model/planar_model.h"
 
 namespace cambrian {
+
+// The motion inside an accepted step, from the states and rates at its ends (dynamics/README.md
+// 14): quintic Hermite polynomials for positions, cubic ones for speeds, and for works the
+// quadratic power with the right values at both ends and the right integral.
+
+struct StepEnds {
+    const Motion& start;
+    const MotionRate& start_rate;
+    const Motion& end;
+    const MotionRate& end_rate;
+    double length = 0.0;  // s
+};
+
+// `slots` is the number of coordinates; `share` is in [0, 1] of the step.
+void interpolate_motion(int slots, const StepEnds& step, double share, Motion& motion);
 
 // Whether a contact that was not selected for the step penetrates at its end and closes fast, or is
 // deeper than the contact band. The solver must have detected the contacts there.
