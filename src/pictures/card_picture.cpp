@@ -98,7 +98,7 @@ void add_strip(PictureCanvas& canvas, const CardSpace& at, const Subject& subjec
     constexpr double height = 190.0;
     const double width = (kCardWidth - 2.0 * kCardMargin + gap) / kStripPoses - gap;
     MomentStyle style{
-        .palette = palette, .label_size = 13.0 * at.unit, .trail = 30, .world = &world_of(subject)};
+        .palette = palette, .label_size = 13.0 * at.unit, .trail = 0, .world = &world_of(subject)};
     style.pixels_per_metre =
         scale_to_fit(subject.motion(), at.area({0, 0, width, height}), kStripShare);
     const Ink ink{Typeface::kRegular, 20.0 * at.unit, palette.muted};
@@ -130,7 +130,7 @@ void draw_card(PictureCanvas& canvas, const Subject& subject, const Palette& pal
     canvas.clear(palette.window);
     const Area portrait = at.area({kCardMargin, kCardMargin, kCardWidth - 2.0 * kCardMargin, 650});
     MomentStyle style{
-        .palette = palette, .label_size = 18.0 * at.unit, .world = &world_of(subject)};
+        .palette = palette, .label_size = 18.0 * at.unit, .trail = 0, .world = &world_of(subject)};
     style.pixels_per_metre = scale_to_fit(subject.motion(), portrait, kPortraitShare);
     add_moment(canvas, portrait, subject,
                moment_of(subject.motion(), telling_time(subject.motion())), style);

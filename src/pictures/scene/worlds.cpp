@@ -331,6 +331,22 @@ void add_specks(SceneFrame& frame, const DrawnWorld& world, const Camera& camera
     }
 }
 
+// A leaf that bends and tapers, of this many straight pieces.
+void add_frond(SceneFrame& frame, const Vec2& foot, double length, double width, double lean,
+               int pieces, const Color& color) {
+    Vec2 from = foot;
+    const double step = length / pieces;
+    for (int i = 0; i < pieces; ++i) {
+        const double share = static_cast<double>(i) / pieces;
+        const double turned = lean * (0.4 + 1.4 * share);
+        const Vec2 along(-std::sin(turned), std::cos(turned));
+        const double wide = width * (1.0 - 0.75 * share);
+        // Pieces reach into each other, so that joints are round.
+        add_blade(frame, from - 0.5 * wide * along, step + wide, wide, turned, color);
+        from += step * along;
+    }
+}
+
 // Tufts of weed at the lower edge of the view, in two distances.
 void add_weeds(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
                const Viewport& viewport, double time) {
@@ -339,6 +355,7 @@ void add_weeds(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
     const Vec2 size = size_of(window);
     constexpr int kTufts = 9;
     const int leaves = frame.detail == Detail::kFull ? 6 : 4;
+    const int pieces = frame.detail == Detail::kFull ? 5 : 3;
     for (int tuft = 0; tuft < kTufts; ++tuft) {
         const bool far = tuft < 5;
         const double width = 1.4 * size.x();
@@ -350,12 +367,14 @@ void add_weeds(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
             const std::int64_t which = 16 * tuft + leaf;
             const double length =
                 (0.10 + 0.20 * scattered(which, 302) * scattered(tuft, 303)) * size.y();
-            const double lean = 0.22 * (scattered(which, 304) - 0.5) +
-                                0.05 * std::sin(0.7 * time + tuft + 0.5 * leaf);
+            const double lean = 0.60 * (scattered(which, 304) - 0.5) +
+                                0.16 * std::sin(0.7 * time + tuft + 0.5 * leaf);
             const double away = (scattered(which, 305) - 0.5) * 0.07 * size.y();
             const double thick = (0.010 + 0.008 * scattered(which, 307)) * size.y();
-            add_blade(frame, window.low + Vec2(x + away, -0.02 * size.y()), length, thick, lean,
-                      with_alpha(base, 0.85F));
+            const Color color =
+                mix(base, world.recipe.sky[0], 0.25F * static_cast<float>(scattered(which, 308)));
+            add_frond(frame, window.low + Vec2(x + away, -0.02 * size.y()), length, thick, lean,
+                      pieces, color);
         }
     }
 }

@@ -450,12 +450,12 @@ void ViewportPanel::draw_words(const FrameContext& frame) {
     const Palette& palette = world != nullptr ? palette_over(*world) : colors();
     ImVec2 at = {canvas_.area.x + px(16), canvas_.area.y + px(12)};
     // A shade, so that words are read before any sky.
-    const ImU32 shade = paint(with_alpha(palette.sky, 0.45F));
+    const ImU32 shade = paint(with_alpha(palette.sky, 0.75F));
     const ImU32 none = paint(with_alpha(palette.sky, 0.0F));
     list.AddRectFilledMultiColor(
         canvas_.area.low(),
-        {canvas_.area.x + std::min(px(320), canvas_.area.width), canvas_.area.y + px(58)}, shade,
-        none, none, shade);
+        {canvas_.area.x + std::min(px(320), canvas_.area.width), canvas_.area.y + px(96)}, shade,
+        none, none, none);
     const Color second = world != nullptr ? with_alpha(palette.text, 0.85F) : palette.muted;
     const std::string name = exhibit.name();
     shadowed_text(list, fonts.title, px(20), at, palette.text, name);
