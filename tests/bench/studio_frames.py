@@ -18,7 +18,6 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/cli"))
 from nats_server import NatsServer  # noqa: E402: its folder is added to the path above
-WIDTH, HEIGHT = 1920, 1080
 PATIENCE = 60  # s; for the window to open, to respond and to close
 LONG_FRAME = 33.0  # ms
 INPUT_EVERY = 3.0  # s
@@ -44,11 +43,11 @@ QUICK = EVOLVING + "[trial]\nduration = 1\n"
 class Display:
     """A separate virtual X display whose pixels can be read while they change."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, options):
         reading, writing = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{WIDTH}x{HEIGHT}x24",
-             "-fbdir", str(folder), "-nolisten", "tcp"], pass_fds=[writing],
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0",
+             f"{options.width}x{options.height}x24", "-fbdir", str(folder), "-nolisten", "tcp"], pass_fds=[writing],
             stderr=subprocess.DEVNULL)
         os.close(writing)
         with os.fdopen(reading) as numbers:
@@ -101,10 +100,12 @@ class Studio:
 
     def __init__(self, display, folder, options, *arguments):
         self.display = display
+        self.options = options
         self.frame_log = folder / "frames.csv"
         self.status_log = folder / "status.log"
         self.status_log.unlink(missing_ok=True)
-        command = [options.program, "studio", *arguments, "--width", WIDTH, "--height", HEIGHT,
+        command = [options.program, "studio", *arguments, "--width", options.width,
+                   "--height", options.height, "--scenery", options.scenery,
                    "--state-dir", "", "--frame-log", self.frame_log,
                    "--status-log", self.status_log]
         if options.threads:
@@ -154,17 +155,17 @@ class Toggle:
     """The help card, which F1 opens and closes. Records the time of each press and the time at
     which the screen showed its effect."""
 
-    # A point in the margin of the card, in the middle of the window; the viewport is behind it.
-    PLACE = (WIDTH // 2 - 420, HEIGHT // 2 - 310)
-
     def __init__(self, studio):
         self.studio = studio
+        # A point in the margin of the card, in the middle of the window; the viewport is behind it.
+        options = studio.options
+        self.place = (options.width // 2 - 420, options.height // 2 - 310)
         self.pressed = 0
         self.seen = []  # (index of the press, s when visible)
-        without = self.studio.display.pixel(*self.PLACE)
+        without = self.studio.display.pixel(*self.place)
         self.press()
         time.sleep(1.0)
-        self.colors = [without, self.studio.display.pixel(*self.PLACE)]
+        self.colors = [without, self.studio.display.pixel(*self.place)]
         if self.colors[0] == self.colors[1]:
             sys.exit("F1 brings no help card")
 
@@ -177,7 +178,7 @@ class Toggle:
         self.pressed += 1
         wanted = self.pressed % 2
         end = time.monotonic() + PATIENCE
-        while self.studio.display.pixel(*self.PLACE) != self.colors[wanted]:
+        while self.studio.display.pixel(*self.place) != self.colors[wanted]:
             if time.monotonic() > end:
                 sys.exit("F1 has no visible effect")
             time.sleep(0.0005)
@@ -302,6 +303,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", nargs="?", default=ROOT / "build/release/bin/cambrian")
     parser.add_argument("--seconds", type=float, default=60.0, help="how long frames are timed")
+    parser.add_argument("--width", type=int, default=1920, help="of the window, in pixels")
+    parser.add_argument("--height", type=int, default=1080)
+    parser.add_argument("--scenery", default="automatic", help="as the studio has it")
     parser.add_argument("--size", type=int, default=300, help="creatures in the population")
     parser.add_argument("--threads", type=int, help="that evaluate; one a core unless given")
     parser.add_argument("--workers", type=int, default=0,
@@ -313,7 +317,7 @@ def main():
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="cambrian-frames-") as name:
         folder = pathlib.Path(name)
-        display = Display(folder)
+        display = Display(folder, options)
         try:
             print(f"load before              {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")
             warm_up(display, folder, options)
