@@ -338,22 +338,23 @@ void BackdropPainter::draw(const BackdropRecipe& recipe, const Camera& camera,
     glEnable(GL_SCISSOR_TEST);
     Scenery& scenery = scenery_for(recipe, target);
     bake(scenery, baking);
-    unfinished_ = scenery.steps < kSteps;
+    const bool unfinished = scenery.steps < kSteps;
+    unfinished_ = unfinished_ || unfinished;
     const int surface = recipe.has_ground ? surface_of(camera, target) : 0;
-    const bool ground_seen = !unfinished_ && scenery.tile && surface > 0;
+    const bool ground_seen = !unfinished && scenery.tile && surface > 0;
     if (ground_seen && scenery.scale != camera.pixels_per_metre)
         scale_ground(scenery, camera.pixels_per_metre);
     const KeptFramebuffers kept;
     glScissor(target.x, target.y, target.width, target.height);
-    if (unfinished_ && scenery.far) {
+    if (unfinished && scenery.far) {
         // Drivers compile their copying when it is first used; the pixel is covered below.
         scenery.far->bind_to_copy();
         copy(0, 0, {target.x, target.y, 1, 1});
     }
-    if (unfinished_ || !scenery.far || (ground_seen && !scenery.ground))
+    if (unfinished || !scenery.far || (ground_seen && !scenery.ground))
         fill_plainly(recipe, target, surface);
     glScissor(target.x, target.y, target.width, target.height);
-    if (!unfinished_ && scenery.far) copy_far(scenery, camera, target, surface);
+    if (!unfinished && scenery.far) copy_far(scenery, camera, target, surface);
     if (ground_seen && scenery.ground) copy_ground(scenery, camera, target, surface);
     glViewport(target.x, target.y, target.width, target.height);
 }

@@ -13,6 +13,7 @@
 #include "render/pixel_rect.h"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace cambrian {
@@ -30,8 +31,8 @@ public:
     // colours. Scissoring remains enabled for the target.
     void draw(const BackdropRecipe& recipe, const Camera& camera, const PixelRect& target,
               Baking baking);
-    // Whether the backdrop that was drawn last is not painted completely.
-    bool unfinished() const { return unfinished_; }
+    // Returns whether a backdrop drawn since the last call is not painted completely.
+    bool take_unfinished() { return std::exchange(unfinished_, false); }
 
 private:
     // A recipe's pictures for one size of view.

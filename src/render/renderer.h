@@ -26,8 +26,9 @@ public:
     // to pixels if they are opaque, upright and sharp. Blending and scissoring remain enabled.
     void draw(const SceneFrame& frame, const Camera& camera, const PixelRect& target,
               Baking baking = Baking::kAtOnce);
-    // Whether the last frame lacks scenery that further frames will add.
-    bool unfinished() const { return backdrop_painter_.unfinished(); }
+    // Returns whether a frame that was drawn since the last call lacks scenery, which further
+    // frames will add.
+    bool take_unfinished() { return backdrop_painter_.take_unfinished(); }
 
 private:
     Renderer(Shader shader, SkinPainter skin_painter, BackdropPainter backdrop_painter);

@@ -116,7 +116,7 @@ private:
 
     // Waits for the next frame; a display that sets a lower frame rate makes it later.
     void wait_for_frame(const Stopwatch& clock, double last_start) {
-        if (window_.take_activity() || controller_.animating() || renderer_.unfinished())
+        if (window_.take_activity() || controller_.animating() || renderer_.take_unfinished())
             quiet_frames_ = 0;
         const bool idle = ++quiet_frames_ > kSettledFrames;
         const double due = last_start + (idle ? kIdleSleep : 1.0 / options_.drawing.frame_rate);
@@ -207,7 +207,7 @@ private:
     void take_picture(const std::filesystem::path& path) {
         do {
             frame(1e9, 0.0);
-        } while (renderer_.unfinished());
+        } while (renderer_.take_unfinished());
         controller_.files().save_picture(path, picture());
     }
 
