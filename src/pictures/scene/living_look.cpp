@@ -168,7 +168,7 @@ void add_skin_of(SceneFrame& frame, const Camera& camera, const CreatureLook& lo
     skin.wave = size * wave_of(look.character.line);
     skin.pattern = pattern_of(look.character.line);
     skin.crease = alpha < 1.0F || size < 40.0 * pixel ? 0.0F : 1.0F;
-    skin.flash = look.bitten ? 0.5F : 0.0F;
+    skin.flash = look.bitten ? 0.35F : 0.0F;
     skin.alpha = alpha;
     frame.add_skin(skin);
 }
