@@ -1,6 +1,7 @@
 #include "studio/preserve/world_words.h"
 
 #include "core/text/counted.h"
+#include "genome/creature_name.h"
 #include "preserve/world_time.h"
 
 #include <fmt/core.h>
@@ -47,6 +48,18 @@ std::string reason_words(const MuseumPiece& piece) {
     if (piece.reason == museum_reason::kChildren)
         return fmt::format("had the most children: {}", piece.count);
     return piece.reason;
+}
+
+std::string called(const PreservePicture& picture, std::uint64_t number) {
+    GenomePtr genome;
+    const auto look_at = [&](const auto& each) {
+        if (each.number == number) genome = each.genome;
+    };
+    if (const ResidentPicture* living = picture.find(number)) look_at(living->life);
+    if (picture.museum != nullptr)
+        std::for_each(picture.museum->begin(), picture.museum->end(), look_at);
+    if (picture.died != nullptr) std::for_each(picture.died->begin(), picture.died->end(), look_at);
+    return fmt::format("{} {}", genome ? creature_name(*genome) : "creature", number);
 }
 
 std::vector<LineageCount> lineages_in(const PreservePicture& picture) {

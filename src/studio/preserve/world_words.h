@@ -18,6 +18,10 @@ std::string fate_words(const Life& life);
 // Returns why a creature is in the museum: "founded a lineage of 20".
 std::string reason_words(const MuseumPiece& piece);
 
+// Returns "Tavinor 12", or "creature 12" if neither the living nor the dead in sight have its
+// genes.
+std::string called(const PreservePicture& picture, std::uint64_t number);
+
 // A lineage and its living members.
 struct LineageCount {
     std::uint64_t number = 0;

@@ -102,7 +102,7 @@ bool MuseumList::draw_piece(const FrameContext& frame, std::size_t index) {
     const float room = size.x - px(kTileWidth + 20);
     list.AddText(
         {left, low.y + px(4)}, paint(colors().text),
-        fit_text(fmt::format("{}  {}", creature_name(*piece.genome), piece.number), room).c_str());
+        fit_text(fmt::format("{} {}", creature_name(*piece.genome), piece.number), room).c_str());
     const WithFont font(ui().fonts.small);
     list.AddText({left, low.y + px(23)}, paint(colors().text),
                  fit_text(capitalized(reason_words(piece)), room).c_str());

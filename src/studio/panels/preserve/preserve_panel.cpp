@@ -59,7 +59,7 @@ void draw_tools(const PreserveView& preserve, Requests& out) {
 }
 
 // Draws a lineage as a bar of its share. Returns true when pressed.
-bool draw_lineage(const LineageCount& lineage, std::size_t all) {
+bool draw_lineage(const LineageCount& lineage, const std::string& founder, std::size_t all) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 size = {ImGui::GetContentRegionAvail().x, px(kLineageHeight)};
     const std::string name = fmt::format("lineage {}", lineage.number);
@@ -76,8 +76,7 @@ bool draw_lineage(const LineageCount& lineage, std::size_t all) {
     const std::string members = counted(lineage.members, "creature");
     const WithFont font(ui().fonts.small);
     const float text = low.y + px(3);
-    list.AddText({low.x + px(52), text}, paint(colors().text),
-                 fmt::format("of creature {}", lineage.number).c_str());
+    list.AddText({low.x + px(52), text}, paint(colors().text), ("of " + founder).c_str());
     list.AddText({low.x + size.x - ImGui::CalcTextSize(members.c_str()).x - px(6), text},
                  paint(colors().muted), members.c_str());
     const float left = low.x + px(52);
@@ -94,7 +93,8 @@ void draw_lineages(const PreservePicture& picture, Requests& out) {
     if (picture.residents.empty()) muted_text("Nobody is alive.");
     const std::vector<LineageCount> lineages = lineages_in(picture);
     for (std::size_t i = 0; i < std::min(lineages.size(), kMostLineages); ++i) {
-        if (draw_lineage(lineages[i], picture.residents.size()))
+        const std::string founder = called(picture, lineages[i].number);
+        if (draw_lineage(lineages[i], founder, picture.residents.size()))
             out.ask(PickResident{lineages[i].eldest});
     }
     if (lineages.size() > kMostLineages)

@@ -146,12 +146,10 @@ void draw_notables(const PreservePicture& picture, Requests& out) {
         fact(notable.label,
              is_time ? pretty_time(notable.number) : with_unit(notable.number, notable.unit));
         ImGui::PushID(notable.label);
-        if (push_button(
-                fmt::format("{}  {}", creature_name(*picture.find(notable.creature)->life.genome),
-                            notable.creature),
-                {.width = ImGui::GetContentRegionAvail().x,
-                 .height = px(26),
-                 .tooltip = "Pick it (O goes through them)"}))
+        if (push_button(called(picture, notable.creature),
+                        {.width = ImGui::GetContentRegionAvail().x,
+                         .height = px(26),
+                         .tooltip = "Pick it (O goes through them)"}))
             out.ask(PickResident{notable.creature});
         ImGui::PopID();
     }
@@ -208,7 +206,7 @@ void ResidentPanel::draw_picked(const FrameContext& frame, Requests& out) {
     }
     fact("Age", pretty_time(age_of(picked.life, preserve.picture.tick)));
     fact("Born at", world_time(picked.life.born));
-    fact("Lineage", fmt::format("of creature {}", picked.life.lineage));
+    fact("Lineage", "of " + called(preserve.picture, picked.life.lineage));
     draw_store(picked);
     draw_buttons(preserve, alive, out);
     draw_brain(frame);
@@ -221,7 +219,7 @@ void ResidentPanel::draw(const FrameContext& frame, Requests& out) {
     const PreserveView& preserve = *frame.preserve;
     place_title(preserve.picked == nullptr
                     ? "Creature"
-                    : fmt::format("{}  {}", creature_name(*preserve.picked->life.genome),
+                    : fmt::format("{} {}", creature_name(*preserve.picked->life.genome),
                                   preserve.picked->life.number),
                 "preserve", out);
     ImGui::BeginChild("life", {0, 0}, false, ImGuiWindowFlags_NoBackground);
