@@ -10,6 +10,8 @@ constexpr float kPanelGap = 2.0F;
 constexpr float kBarHeight = 54.0F;
 constexpr float kTransportHeight = 58.0F;
 constexpr float kFootHeight = 28.0F;
+constexpr float kNarrowWidth = 780.0F;
+constexpr float kLowHeight = 500.0F;
 
 struct SizeLimits {
     float least;
@@ -53,6 +55,10 @@ float drag_strip(const char* name, const Rect& strip, bool sideways) {
 
 }  // namespace
 
+bool is_narrow(float width, float scale) {
+    return width < kNarrowWidth * scale;
+}
+
 Layout divide_window(float width, float height, const ViewState& view, float scale,
                      bool with_foot) {
     const float gap = std::round(kPanelGap * scale);
@@ -64,10 +70,12 @@ Layout divide_window(float width, float height, const ViewState& view, float sca
     }
     const float left = panel_size(view.panels.left, view.panels.left_width, 0.25F * width,
                                   {270 * scale, 350 * scale, 0.4F * width}, scale);
-    const float right = panel_size(view.panels.right, view.panels.right_width, 0.225F * width,
+    const bool right_shown = view.panels.right && !(left > 0.0F && is_narrow(width, scale));
+    const float right = panel_size(right_shown, view.panels.right_width, 0.225F * width,
                                    {260 * scale, 360 * scale, 0.4F * width}, scale);
-    const float bottom = panel_size(view.panels.bottom, view.panels.bottom_height, 0.26F * height,
-                                    {176 * scale, 270 * scale, 0.5F * height}, scale);
+    const float bottom = panel_size(
+        view.panels.bottom, view.panels.bottom_height, 0.26F * height,
+        {(height < kLowHeight * scale ? 120 : 176) * scale, 270 * scale, 0.5F * height}, scale);
     const float left_edge = std::round(left > 0 ? left + gap : 0);
     const float right_edge = std::round(right > 0 ? width - right : width + gap);
     const float bottom_edge = std::round(bottom > 0 ? height - bottom : height + gap);

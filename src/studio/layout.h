@@ -18,8 +18,11 @@ struct Layout {
     Rect foot;        // an optional line along the bottom
 };
 
+// Whether a window has no room for both side panels beside the viewport.
+bool is_narrow(float width, float scale);
+
 // Divides the window among the panels. Hidden panels get no width. In small windows panels shrink
-// so that the viewport keeps enough room.
+// so that the viewport keeps enough room, and in narrow ones the left panel hides the right one.
 Layout divide_window(float width, float height, const ViewState& view, float scale,
                      bool with_foot = false);
 

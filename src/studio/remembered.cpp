@@ -28,6 +28,7 @@ constexpr std::array kFlags = {
     Flag{"experiment-panel", [](ViewState& view) -> bool& { return view.panels.left; }},
     Flag{"inspector-panel", [](ViewState& view) -> bool& { return view.panels.right; }},
     Flag{"bottom-panel", [](ViewState& view) -> bool& { return view.panels.bottom; }},
+    Flag{"all-settings", [](ViewState& view) -> bool& { return view.all_settings; }},
     Flag{"tour-taken", [](ViewState& view) -> bool& { return view.tour_taken; }},
 };
 
@@ -57,6 +58,12 @@ void read_size(const std::string& name, const std::string& value, PanelSizes& si
     }
 }
 
+void read_interface_size(const std::string& value, ViewState& view) {
+    const int size = parsed_number<int>(value).value_or(0);
+    if (std::find(kInterfaceSizes.begin(), kInterfaceSizes.end(), size) != kInterfaceSizes.end())
+        view.size = size;
+}
+
 void read_look(const std::string& value, ViewState& view) {
     for (std::size_t i = 0; i < kLooks.size(); ++i)
         if (value == kLooks[i]) view.look = static_cast<LookMode>(i);
@@ -75,6 +82,7 @@ void read_line(const std::string& name, const std::string& value, ViewState& vie
     }
     if (name == "look") read_look(value, view);
     if (name == "scenery") view.scenery = scenery_named(value).value_or(view.scenery);
+    if (name == "interface-size") read_interface_size(value, view);
     read_size(name, value, view.panels);
     for (const TimelinePlot& plot : timeline_plots()) {
         if (name == "timeline" && value == plot.id) view.quantity = plot.quantity;
@@ -130,6 +138,7 @@ std::string write_view(const ViewState& view) {
     text += fmt::format("theme = {}\n", view.theme == ThemeKind::kLight ? "light" : "dark");
     text += fmt::format("look = {}\n", kLooks[static_cast<std::size_t>(view.look)]);
     text += fmt::format("scenery = {}\n", kSceneryNames[static_cast<std::size_t>(view.scenery)]);
+    text += fmt::format("interface-size = {}\n", view.size);
     text += fmt::format("timeline = {}\n", timeline_plot(view.quantity).id);
     text += fmt::format("population = {}\n", tile_sorting(view.order).id);
     return text + fmt::format("speed = {:g}\n", view.speed);

@@ -39,7 +39,7 @@ public:
           window_(window),
           renderer_(renderer),
           controller_(remembered(options, kinds), kinds, machines(options), options.status_log),
-          host_(window, renderer, scale_in(options.drawing, window), controller_.view().theme),
+          host_(window, renderer, scale(), controller_.view().theme),
           main_window_(builtin_panels(), &renderer),
           frame_log_(options.frame_log) {
         if (options.viewer) controller_.window().be_viewer();
@@ -80,8 +80,11 @@ private:
         return remembered;
     }
 
-    static float scale_in(const WindowDrawing& drawing, const Window& window) {
-        return drawing.scale > 0.0 ? static_cast<float>(drawing.scale) : window.scale();
+    // Returns the size of the interface in pixels a unit.
+    float scale() const {
+        const double told = options_.drawing.scale;
+        const float base = told > 0.0 ? static_cast<float>(told) : window_.scale();
+        return base * 0.01F * static_cast<float>(controller_.view().size);
     }
 
     static MachineOptions machines(const StudioOptions& options) {
@@ -133,6 +136,8 @@ private:
         context.window.framebuffer_height = window_.framebuffer_height();
         const bool automatic = context.view.scenery == Scenery::kAutomatic;
         context.window.scenery = automatic ? pace_.tier() : context.view.scenery;
+        if (host_.context().scale != scale()) host_.set_scale(scale());
+        context.window.narrow = is_narrow(static_cast<float>(window_.framebuffer_width()), scale());
         Requests requests;
         if (host_.context().theme != controller_.view().theme)
             host_.set_theme(controller_.view().theme);
@@ -142,8 +147,10 @@ private:
         for (const KeyPress& press : pressed) {
             controller_.feedback().log().write("pressed",
                                                {{"key", static_cast<double>(press.key)}});
-            const bool taken = (press.key == GLFW_KEY_ESCAPE && ImGuiHost::close_popup()) ||
-                               (press.key == GLFW_KEY_ENTER && control_focused());
+            const bool taken =
+                (press.key == GLFW_KEY_ESCAPE && ImGuiHost::close_popup()) ||
+                (press.key == GLFW_KEY_ENTER && control_focused()) ||
+                (popup_open() && (press.key == GLFW_KEY_UP || press.key == GLFW_KEY_DOWN));
             if (!taken) press_shortcut(press, typing, context, requests);
         }
         for (const std::filesystem::path& path : window_.take_dropped_files())

@@ -1,6 +1,7 @@
 #include "studio/studio_controller.h"
 
 #include "core/stopwatch.h"
+#include "evolution/fields/setting_words.h"
 #include "studio/actions/action.h"
 
 #include <utility>
@@ -80,7 +81,8 @@ void StudioController::keep_memory() {
 }
 
 void StudioController::use_assets(const std::filesystem::path& folder) {
-    guide_.read(folder / "help", keys_text());
+    guide_.read(folder / "help", keys_text(),
+                words_text(std::as_const(experiment_).open().fields()));
     files_.use_samples(folder / "creatures");
     preserve_.use_assets(folder);
 }

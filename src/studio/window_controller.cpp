@@ -10,6 +10,9 @@ struct WindowController::Handler {
 
     void operator()(const ChangeView& request) const { self.view_ = request.view; }
     void operator()(const FocusPlace& request) const { self.facts_.focus = request.place; }
+    void operator()(const TogglePalette&) const {
+        self.facts_.palette_open = !self.facts_.palette_open;
+    }
     void operator()(const DismissNotice&) const { self.feedback_.dismiss(); }
     void operator()(const QuitStudio&) const { self.quit_wanted_ = true; }
 };

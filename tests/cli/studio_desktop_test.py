@@ -61,9 +61,9 @@ class StudioDesktop(StudioTest):
         after = len(self.events())
         for key in ["a", "x"]:
             display.act(["keydown", "ctrl", "keydown", key], ["keyup", key, "keyup", "ctrl"])
-        _, after = self.wait_for("place", after=after, name="group goal")
+        _, after = self.wait_for("place", after=after, name="goal.behavior")
         display.act(["keydown", "ctrl", "key", "v"], ["keyup", "ctrl"])
-        self.wait_for("gone", after=after, name="group goal")
+        self.wait_for("gone", after=after, name="goal.behavior")
         self.quit()
 
     def test_a_name_in_another_script_is_shown_on_one_line(self):

@@ -65,6 +65,10 @@ class StudioLook(StudioTest):
                                                 self.look_at_cards, self.look_at_inspector,
                                                 self.look_at_hand_picking, self.look_at_preserve])
 
+    def test_everything_can_be_reached_at_1280x800_twice_as_large(self):
+        self.look_at_everything(1280, 800, 2, [self.look_at_window, self.look_at_menus,
+                                               self.look_at_cards, self.look_at_timeline])
+
     def look_at_everything(self, width, height, scale, looks=None, painted=False):
         """Pixels are painted at one size, and wherever pictures are kept."""
         self.size = f"{width}x{height}" + ("" if scale == 1 else f"@{scale}x")
@@ -130,6 +134,7 @@ class StudioLook(StudioTest):
 
     def look_through_settings(self):
         """Scrolls down the panel and opens closed groups."""
+        self.tap("All settings")
         self.point_at("group goal")
         closed = list(CLOSED_AT_FIRST)
         page = 0
@@ -144,6 +149,10 @@ class StudioLook(StudioTest):
         self.look(f"experiment-{page}", pointed=True)
 
     def look_at_cards(self):
+        self.keys("ctrl+p")
+        self.type("grav")
+        self.look("palette")
+        self.keys("Escape")
         for name, keys, control in [("open", "ctrl+o", "file name"),
                                     ("save", "ctrl+s", "file name"),
                                     ("samples", "ctrl+shift+o", "Close samples"),

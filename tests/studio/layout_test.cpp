@@ -21,9 +21,11 @@ TEST_CASE("panels fill the window without overlapping at every usual size", "[st
     struct Size {
         float width, height, scale;
     };
-    for (const Size size : {Size{1280, 720, 1}, Size{1920, 1080, 1}, Size{3840, 2160, 2}}) {
+    for (const Size size : {Size{1280, 720, 1}, Size{1920, 1080, 1}, Size{3840, 2160, 2},
+                            Size{1280, 800, 0.8F}, Size{1280, 800, 2}}) {
         const auto all = places(divide_window(size.width, size.height, {}, size.scale));
         for (std::size_t i = 0; i < all.size(); ++i) {
+            if (all[i].width == 0) continue;  // hidden
             CHECK(test::inside(all[i], size.width, size.height));
             for (std::size_t j = 0; j < i; ++j)
                 CHECK_FALSE(overlap(all[i], all[j]));
@@ -47,6 +49,19 @@ TEST_CASE("the viewport keeps most of the room at 1280 by 720", "[studio][layout
     const Layout layout = divide_window(1280, 720, {}, 1);
     CHECK(layout.viewport.width > 600);
     CHECK(layout.viewport.height > 380);
+}
+
+TEST_CASE("in a narrow window the left panel hides the right one", "[studio][layout]") {
+    ViewState view;
+    CHECK(is_narrow(1280, 2));
+    CHECK_FALSE(is_narrow(1280, 1.5F));
+    const Layout both = divide_window(1280, 800, view, 2);
+    CHECK(both.experiment.width == 540);
+    CHECK(both.inspector.width == 0);
+    CHECK(both.viewport.width > 600);
+    CHECK(both.viewport.height > 200);
+    view.panels.left = false;
+    CHECK(divide_window(1280, 800, view, 2).inspector.width == 520);
 }
 
 TEST_CASE("hidden panels give their room to the viewport", "[studio][layout]") {

@@ -14,6 +14,8 @@ TEST_CASE("arrangement and settings are restored as they were", "[studio][rememb
     left.view.theme = ThemeKind::kLight;
     left.view.look = LookMode::kMechanics;
     left.view.scenery = Scenery::kLight;
+    left.view.size = 150;
+    left.view.all_settings = true;
     left.view.speed = 0.25;
     left.view.panels.bottom = false;
     left.view.overlays.torques = true;
@@ -50,10 +52,12 @@ TEST_CASE("missing or damaged state gives the defaults", "[studio][remembered]")
     CHECK(recall(folder.path(), test::kinds()) == Remembered{});
     CHECK(recall({}, test::kinds()) == Remembered{});
     put_text(folder / "view.conf",
-             "theme\n= = =\nspeed = 1e300\nscenery = yes\nfollow = ?\n\xff\xfe\n");
+             "theme\n= = =\nspeed = 1e300\nscenery = yes\ninterface-size = 9000\nfollow = "
+             "?\n\xff\xfe\n");
     put_text(folder / "experiment.toml", "[environment]\ngravity = \"heavy\"\n");
     const Remembered found = recall(folder.path(), test::kinds());
     CHECK(found.view.speed == 1.0);
+    CHECK(found.view.size == 100);
     CHECK(found.view.scenery == Scenery::kAutomatic);
     CHECK(found.settings == ExperimentSettings{});
 }

@@ -10,10 +10,10 @@
 namespace cambrian {
 namespace {
 
-bool grid_shown(const FrameContext& frame) {
+bool over_grid(const FrameContext& frame) {
     return frame.grid_shown() && !frame.world_shown();
 }
-bool world_shown(const FrameContext& frame) {
+bool over_world(const FrameContext& frame) {
     return frame.world_shown();
 }
 bool viewer_only(const FrameContext& frame) {
@@ -35,7 +35,8 @@ constexpr std::array kNamedKeys = {
     NamedKey{"Esc", GLFW_KEY_ESCAPE},    NamedKey{"F1", GLFW_KEY_F1},
     NamedKey{"F12", GLFW_KEY_F12},       NamedKey{"←", GLFW_KEY_LEFT},
     NamedKey{"→", GLFW_KEY_RIGHT},       NamedKey{"↑", GLFW_KEY_UP},
-    NamedKey{"↓", GLFW_KEY_DOWN},
+    NamedKey{"↓", GLFW_KEY_DOWN},        NamedKey{"Plus", GLFW_KEY_EQUAL},
+    NamedKey{"Minus", GLFW_KEY_MINUS},
 };
 
 bool take_prefix(std::string_view& text, std::string_view prefix) {
@@ -52,6 +53,17 @@ KeyPress press_of(std::string_view keys) {
                                     [keys](const NamedKey& each) { return each.name == keys; });
     // A letter, a digit or a sign is its own key.
     press.key = named == kNamedKeys.end() ? static_cast<unsigned char>(keys.front()) : named->key;
+    return press;
+}
+
+// Returns the press that keys name: plus, minus and zero are on several.
+KeyPress usual_press(KeyPress press) {
+    constexpr std::array same = {std::pair{GLFW_KEY_KP_ADD, GLFW_KEY_EQUAL},
+                                 std::pair{GLFW_KEY_KP_SUBTRACT, GLFW_KEY_MINUS},
+                                 std::pair{GLFW_KEY_KP_0, GLFW_KEY_0}};
+    for (const auto& [other, usual] : same)
+        if (press.key == other) press.key = usual;
+    if (press.control && press.key == GLFW_KEY_EQUAL) press.shift = false;
     return press;
 }
 
@@ -86,8 +98,13 @@ const Action* action_of(const KeyPress& press, const FrameContext& frame) {
     return nullptr;
 }
 
-bool is_enabled(const Action& action, const FrameContext& frame) {
+bool can_be_done(const Action& action, const FrameContext& frame) {
     return !action.enabled || action.enabled(frame);
+}
+
+std::string told(const Action& action) {
+    if (action.help.empty()) return action.label;
+    return action.label + (action.label.ends_with("…") ? " " : ". ") + action.help;
 }
 
 std::string code(std::string keys) {
@@ -105,8 +122,8 @@ const std::vector<ActionTable>& action_tables() {
         {"Files", nullptr, file_actions()},
         {"The window", nullptr, view_actions()},
         {"Help", nullptr, help_actions()},
-        {"While picking by hand", grid_shown, picking_actions()},
-        {"In a preserve", world_shown, preserve_actions()},
+        {"While picking by hand", over_grid, picking_actions()},
+        {"In a preserve", over_world, preserve_actions()},
         {"In a window for one creature",
          viewer_only,
          {{"play",
@@ -127,7 +144,7 @@ FoundAction find_action(std::string_view id, const FrameContext& frame) {
         const bool active = is_active(table, frame);
         for (const Action& action : table.actions) {
             if (action.id == id && (active || found.action == nullptr))
-                found = {&action, active && is_enabled(action, frame)};
+                found = {&action, active && can_be_done(action, frame)};
         }
     }
     return found;
@@ -139,7 +156,7 @@ std::vector<FoundAction> present_actions(const FrameContext& frame) {
         if (!is_active(table, frame)) continue;
         for (const Action& action : table.actions) {
             if (find_action(action.id, frame).action == &action && !action.label.empty())
-                all.push_back({&action, is_enabled(action, frame)});
+                all.push_back({&action, can_be_done(action, frame)});
         }
     }
     return all;
@@ -158,10 +175,9 @@ std::string keys_text() {
         text += fmt::format("\n## {}\n\n| key | what it does |\n|---|---|\n", table.title);
         for (const Action& action : table.actions) {
             if (action.keys.empty() || action.label.empty()) continue;
-            text += fmt::format("| {} | {}{}{} |\n", code(action.keys), action.label,
-                                action.help.empty() ? "" : ". ", action.help);
+            text += fmt::format("| {} | {} |\n", code(action.keys), told(action));
         }
-        if (table.active == world_shown)
+        if (table.active == over_world)
             text +=
                 "| arrow keys | Move the view |\n| `Page Up`, `Page Down` | Come closer, or go "
                 "farther away |\n";
@@ -178,7 +194,7 @@ void press_shortcut(const KeyPress& press, bool typing, const FrameContext& fram
         return;
     }
     if (typing && (!press.control || press.key == GLFW_KEY_Z)) return;
-    if (const Action* action = action_of(press, frame)) action->ask(frame, out);
+    if (const Action* action = action_of(usual_press(press), frame)) action->ask(frame, out);
 }
 
 }  // namespace cambrian

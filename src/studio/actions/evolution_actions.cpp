@@ -1,6 +1,11 @@
 // Evolution, its settings and generations, comparisons and machines.
 
+#include "evolution/fields/setting_words.h"
 #include "studio/actions/subjects.h"
+#include "studio/experiment/setting_groups.h"
+#include "studio/frame/ask_preset.h"
+
+#include <fmt/core.h>
 
 namespace cambrian {
 namespace {
@@ -9,6 +14,24 @@ template <Place Where>
 void focus_place(const FrameContext& frame, Requests& out) {
     if (!frame.view.panels.bottom) toggles<&ViewState::panels, &PanelSizes::bottom>(frame, out);
     out.ask(FocusPlace{Where});
+}
+
+// Adds an action for each named set of values.
+void add_presets(std::vector<Action>& actions) {
+    for (const SettingPreset& preset : setting_presets()) {
+        const SettingWords* words = setting_words(preset.table);
+        const std::string table(preset.table);
+        Action action{
+            fmt::format("preset-{}-{}", table, preset.label), "",
+            fmt::format("{}: {}", words != nullptr ? std::string(words->word) : group_title(table),
+                        preset.label),
+            [&preset](const FrameContext& frame, Requests& out) {
+                ask_preset(preset, frame, out);
+            }};
+        action.enabled = [](const FrameContext& frame) { return frame.preserve == nullptr; };
+        action.help = preset.help;
+        actions.push_back(std::move(action));
+    }
 }
 
 bool picks_by_hand(const FrameContext& frame) {
@@ -29,12 +52,14 @@ bool has_creatures(const FrameContext& frame) {
 
 std::vector<Action> evolution_actions() {
     // clang-format off
-    return {
+    std::vector<Action> actions = {
         {"evolve", "Space", "Evolve or pause", asks<ToggleEvolution{}>},
         {"evolve-once", "G", "Evolve one generation", asks<RunOneGeneration{}>},
         {"pick-by-hand", "H", "Pick by hand", asks<ToggleHandPicking{}>, {}, picks_by_hand, "Or return to automatic evolution."},
         {"timeline", "T", "Go to the timeline", focus_place<Place::kTimeline>, {}, {}, "Left and Right step through champions, Up and Down change the plot."},
         {"population", "C", "Go to the population", focus_place<Place::kPopulation>, {}, {}, "The arrow keys move through its creatures."},
+        {"starred-only", "", "Only starred creatures", toggles<&ViewState::starred_only>, {}, is_on<&ViewState::starred_only>, "In the population, those of all generations."},
+        {"one-a-plan", "", "One per body plan", toggles<&ViewState::one_a_plan>, {}, is_on<&ViewState::one_a_plan>, "The population shows the best of each."},
         {"undo", "Ctrl+Z", "Undo", asks<UndoEdit{}>, undoes, {}, "An edit of genes or settings, or a new run."},
         {"redo", "Ctrl+Shift+Z", "Redo", asks<RedoEdit{}>, redoes},
         {"find-setting", "Ctrl+F or /", "Find a setting", asks<FindSetting{}>},
@@ -45,6 +70,8 @@ std::vector<Action> evolution_actions() {
         {"machines", "Ctrl+M", "Work on several machines…", asks<ToggleMachines{}>},
     };
     // clang-format on
+    add_presets(actions);
+    return actions;
 }
 
 }  // namespace cambrian

@@ -3,6 +3,9 @@
 #include "studio/actions/subjects.h"
 #include "studio/look/overlays.h"
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <array>
 
 namespace cambrian {
@@ -74,6 +77,43 @@ void switch_theme(const FrameContext& frame, Requests& out) {
         view.theme = view.theme == ThemeKind::kLight ? ThemeKind::kDark : ThemeKind::kLight;
     });
 }
+// Where there is no room for both side panels, showing one hides the other.
+template <auto Side, auto Other>
+bool is_side_shown(const FrameContext& frame) {
+    const PanelSizes& panels = frame.view.panels;
+    const bool hidden = frame.window.narrow && panels.left && Side == &PanelSizes::right;
+    return panels.*Side && !hidden;
+}
+template <auto Side, auto Other>
+void switch_side(const FrameContext& frame, Requests& out) {
+    change_view(frame, out, [&](ViewState& view) {
+        view.panels.*Side = !is_side_shown<Side, Other>(frame);
+        if (view.panels.*Side && frame.window.narrow) view.panels.*Other = false;
+    });
+}
+
+void set_size(const FrameContext& frame, Requests& out, int size) {
+    change_view(frame, out, [size](ViewState& view) { view.size = size; });
+}
+template <int Steps>
+void change_size(const FrameContext& frame, Requests& out) {
+    const auto* const found =
+        std::find(kInterfaceSizes.begin(), kInterfaceSizes.end(), frame.view.size);
+    const auto next = (found - kInterfaceSizes.begin()) + Steps;
+    if (next >= 0 && next < static_cast<std::ptrdiff_t>(kInterfaceSizes.size()))
+        set_size(frame, out, kInterfaceSizes[static_cast<std::size_t>(next)]);
+}
+void add_sizes(std::vector<Action>& actions) {
+    for (const int size : kInterfaceSizes) {
+        Action action{fmt::format("size-{}", size), size == 100 ? "Ctrl+0" : "",
+                      fmt::format("Interface size: {} %", size),
+                      [size](const auto& frame, Requests& out) { set_size(frame, out, size); }};
+        action.chosen = [size](const FrameContext& frame) { return frame.view.size == size; };
+        if (size == 100) action.help = "The size that the desktop tells.";
+        actions.push_back(std::move(action));
+    }
+}
+
 bool is_light(const FrameContext& frame) {
     return frame.view.theme == ThemeKind::kLight;
 }
@@ -97,7 +137,9 @@ void close_what_is_open(const FrameContext& frame, Requests& out) {
 }  // namespace
 
 bool close_card(const FrameContext& frame, Requests& out) {
-    if (frame.tour_shown()) {
+    if (frame.window.palette_open) {
+        out.ask(TogglePalette{});
+    } else if (frame.tour_shown()) {
         out.ask(TurnTour{-1});
     } else if (frame.samples_shown()) {
         out.ask(ToggleSamples{});
@@ -120,16 +162,21 @@ bool close_card(const FrameContext& frame, Requests& out) {
 std::vector<Action> view_actions() {
     using enum ThemeKind;
     constexpr auto panels = &ViewState::panels;
+    constexpr auto left = &PanelSizes::left;
+    constexpr auto right = &PanelSizes::right;
     // clang-format off
     std::vector<Action> actions = {
-        {"panel-left", "", "Experiment", toggles<panels, &PanelSizes::left>, {}, is_on<panels, &PanelSizes::left>, "Show or hide the panel on the left."},
-        {"panel-right", "", "Inspector", toggles<panels, &PanelSizes::right>, {}, is_on<panels, &PanelSizes::right>, "Show or hide the panel on the right."},
+        {"panel-left", "", "Experiment", switch_side<left, right>, {}, is_side_shown<left, right>, "Show or hide the panel on the left."},
+        {"panel-right", "", "Inspector", switch_side<right, left>, {}, is_side_shown<right, left>, "Show or hide the panel on the right."},
         {"panel-bottom", "", "Timeline and population", toggles<panels, &PanelSizes::bottom>, {}, is_on<panels, &PanelSizes::bottom>, "Show or hide the panels at the bottom."},
+        {"size-larger", "Ctrl+Plus", "Interface size: larger", change_size<1>, {}, {}, "Letters and controls of the window grow, up to 200 %."},
+        {"size-smaller", "Ctrl+Minus", "Interface size: smaller", change_size<-1>, {}, {}, "Down to 80 %."},
         {"theme", "Ctrl+L", "Light theme", switch_theme, {}, is_light, "Or the dark one.", true},
         {"look", "L", "Switch the look", switch_look, {}, {}, "See creatures alive, through their skin, or as boxes.", true},
         {"close", "Esc", "Close the open menu or card", close_what_is_open, {}, {}, "", true},
     };
     // clang-format on
+    add_sizes(actions);
     add_choices<&ViewState::look>(actions, kLookLines);
     add_choices<&ViewState::scenery>(actions, kSceneryLines);
     add_choices<&ViewState::ghosts>(actions, kGhostLines);
@@ -143,6 +190,13 @@ std::vector<Action> help_actions() {
     };
     return {
         {"help", "F1", "Help", asks<ToggleHelp{}>},
+        {"palette",
+         "Ctrl+P",
+         "Find anything…",
+         asks<TogglePalette{}>,
+         {},
+         {},
+         "Type what to do, a setting or words of the help."},
         {"keys", "", "Keys", shows(kKeysPage)},
         {"tour", "", "Tour of the window", asks<TurnTour{0}>},
         {"about", "", "About Cambrian", shows(kAboutPage)},

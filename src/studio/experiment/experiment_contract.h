@@ -45,10 +45,15 @@ struct EvolveShown {
 struct DropStructuralEdits {};
 // Moves the keyboard focus to the filter of the settings.
 struct FindSetting {};
+// Shows a setting in its panel, for example "environment.gravity", and lights it up.
+struct ShowSetting {
+    std::string path;
+};
 
-using ExperimentRequest = std::variant<ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit,
-                                       UndoEdit, RedoEdit, StartNewRun, StartFromShown, EvolveShown,
-                                       DropStructuralEdits, AddImmigrants, FindSetting>;
+using ExperimentRequest =
+    std::variant<ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit, UndoEdit, RedoEdit,
+                 StartNewRun, StartFromShown, EvolveShown, DropStructuralEdits, AddImmigrants,
+                 FindSetting, ShowSetting>;
 
 struct ExperimentView {
     const std::vector<SettingField>& fields;
@@ -56,6 +61,8 @@ struct ExperimentView {
     const ProgressView& progress;
     const SettingsEditor& editor;
     unsigned find_asked = 0;    // number of FindSetting requests so far
+    unsigned show_asked = 0;    // of ShowSetting requests
+    std::string shown = {};     // the setting of the last of them
     bool previous_run = false;  // whether an earlier run can be opened
     bool new_run = false;       // whether a new run was the last thing done, and can be undone
 };

@@ -4,6 +4,7 @@
 #include "evolution/settings/goal_defaults.h"
 #include "genome/founders/random_genome.h"
 #include "picking/handover.h"
+#include "studio/experiment/setting_groups.h"
 
 #include <fmt/core.h>
 
@@ -101,6 +102,12 @@ struct ExperimentController::Handler {
         self.view_.panels.left = true;
         ++self.find_asked_;
     }
+    void operator()(const ShowSetting& request) const {
+        self.view_.panels.left = true;
+        if (!is_plain(request.path)) self.view_.all_settings = true;
+        self.shown_ = request.path;
+        ++self.show_asked_;
+    }
 };
 
 ExperimentController::ExperimentController(const Services& services, ViewState& view,
@@ -121,6 +128,8 @@ ExperimentView ExperimentController::facts() const {
             .progress = experiment_.progress(),
             .editor = experiment_.editor(),
             .find_asked = find_asked_,
+            .show_asked = show_asked_,
+            .shown = shown_,
             .previous_run = !experiment_.files().before().empty(),
             .new_run = new_run_last()};
 }

@@ -57,6 +57,8 @@ private:
     bool resuming_ = false;        // was told to go on, which the snapshot does not show yet
     bool new_run_last_ = false;
     unsigned find_asked_ = 0;
+    unsigned show_asked_ = 0;
+    std::string shown_;
 };
 
 }  // namespace cambrian

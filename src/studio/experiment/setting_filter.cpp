@@ -1,5 +1,7 @@
 #include "studio/experiment/setting_filter.h"
 
+#include "evolution/fields/setting_words.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -24,8 +26,9 @@ SettingFilter::SettingFilter(std::string_view words) {
 }
 
 bool SettingFilter::finds(const SettingField& field, std::string_view group_title) const {
-    const std::string all = small_letters(
-        fmt::format("{}\n{}\n{}\n{}", field.label, field.key, field.help, group_title));
+    const std::string all =
+        small_letters(fmt::format("{}\n{}\n{}\n{}\n{}", plain_label(field), field.key,
+                                  plain_help(field), field.help, group_title));
     return std::all_of(words_.begin(), words_.end(), [&all](const std::string& word) {
         return all.find(word) != std::string::npos;
     });

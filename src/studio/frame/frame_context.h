@@ -31,8 +31,8 @@ struct FrameContext {
     bool samples_shown() const { return files.samples != nullptr && files.samples->open; }
     // Whether a card lies over the grid or the world, so that keys are not for these.
     bool covered() const {
-        return files.browser.open || guide.help_shown || preserve_card.open || samples_shown() ||
-               tour_shown();
+        return window.palette_open || files.browser.open || guide.help_shown ||
+               preserve_card.open || samples_shown() || tour_shown();
     }
     bool machines_told() const { return machines != nullptr && cluster_wanted(*machines); }
     // Whether a line of text is shown along the bottom.

@@ -19,16 +19,21 @@ struct ChangeView {
 struct FocusPlace {
     Place place = Place::kNone;
 };
+// Opens or closes the command palette.
+struct TogglePalette {};
 struct DismissNotice {};
 struct QuitStudio {};
 
-using WindowRequest = std::variant<ChangeView, FocusPlace, DismissNotice, QuitStudio>;
+using WindowRequest =
+    std::variant<ChangeView, FocusPlace, TogglePalette, DismissNotice, QuitStudio>;
 
 struct WindowView {
-    const Notice* notice = nullptr;    // null if there is no notice
-    Place focus = Place::kNone;        // panel that gets the keyboard focus in this frame
-    bool viewer_only = false;          // only the viewport and its transport bar are shown
-    int framebuffer_height = 0;        // pixels
+    const Notice* notice = nullptr;  // null if there is no notice
+    Place focus = Place::kNone;      // panel that gets the keyboard focus in this frame
+    bool palette_open = false;
+    bool viewer_only = false;    // only the viewport and its transport bar are shown
+    int framebuffer_height = 0;  // pixels
+    bool narrow = false;  // has no room for both side panels, so that the left one hides the other
     Scenery scenery = Scenery::kFull;  // that is drawn; never kAutomatic
 };
 

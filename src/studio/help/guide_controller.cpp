@@ -20,6 +20,8 @@ struct GuideController::Handler {
     void operator()(const ShowHelp& request) const {
         self.help_.open = request.page;
         self.facts_.help_shown = true;
+        self.facts_.help_block = request.block;
+        ++self.facts_.help_asked;
         self.services_.feedback.log().write("help", {{"page", request.page}});
         self.show_pictures();
     }
@@ -32,15 +34,17 @@ struct GuideController::Handler {
     }
 };
 
-void GuideController::read(const std::filesystem::path& folder, std::string keys) {
+void GuideController::read(const std::filesystem::path& folder, std::string keys,
+                           std::string words) {
     folder_ = folder;
-    services_.worker.submit([this, folder, keys = std::move(keys)](const std::stop_token&) {
-        auto pages = read_help(folder, keys);
-        return [this, pages = std::move(pages)] {
-            help_.pages = pages;
-            if (facts_.help_shown) show_pictures();
-        };
-    });
+    services_.worker.submit(
+        [this, folder, keys = std::move(keys), words = std::move(words)](const std::stop_token&) {
+            auto pages = read_help(folder, keys, words);
+            return [this, pages = std::move(pages)] {
+                help_.pages = pages;
+                if (facts_.help_shown) show_pictures();
+            };
+        });
 }
 
 // Reads the pictures of the open page in the background, unless it has them already.

@@ -17,8 +17,9 @@ public:
     GuideController(const Services& services, ViewState& view)
         : services_(services), view_(view), facts_{.help = &help_} {}
 
-    // Reads the pages of a folder in the background. `keys` is the text of the page on keys.
-    void read(const std::filesystem::path& folder, std::string keys);
+    // Reads the pages of a folder in the background. `keys` and `words` are the texts of the pages
+    // on keys and on the words for settings.
+    void read(const std::filesystem::path& folder, std::string keys, std::string words);
     // Starts the tour unless the user took or declined it before.
     void offer_tour();
     void carry_out(const GuideRequest& request);

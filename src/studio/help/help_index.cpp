@@ -130,9 +130,10 @@ HelpPage help_page(const std::string& name, std::string_view text) {
     return page;
 }
 
-std::vector<HelpPage> read_help(const std::filesystem::path& folder, std::string_view keys) {
+std::vector<HelpPage> read_help(const std::filesystem::path& folder, std::string_view keys,
+                                std::string_view words) {
     std::vector<HelpPage> pages = {help_page(kFirstStepsPage, kFirstSteps),
-                                   help_page(kKeysPage, keys)};
+                                   help_page(kKeysPage, keys), help_page(kWordsPage, words)};
     for (HelpPage& page : read_folder(folder))
         pages.push_back(std::move(page));
     pages.push_back(help_page(kAboutPage, kAbout));

@@ -13,6 +13,7 @@ namespace cambrian {
 
 inline constexpr const char* kFirstStepsPage = "first-steps";
 inline constexpr const char* kKeysPage = "keys";
+inline constexpr const char* kWordsPage = "words";
 inline constexpr const char* kAboutPage = "about";
 
 struct HelpPage {
@@ -41,9 +42,10 @@ struct HelpIndex {
 };
 
 // Returns the page of first steps, the page of keys, the folder's pages by title, and the page on
-// the program's components. `keys` is the text of the page of keys. Files that cannot be read are
-// left out.
-std::vector<HelpPage> read_help(const std::filesystem::path& folder, std::string_view keys);
+// the program's components. `keys` and `words` are the texts of the pages of keys and of the words
+// for settings. Files that cannot be read are left out.
+std::vector<HelpPage> read_help(const std::filesystem::path& folder, std::string_view keys,
+                                std::string_view words);
 
 // Returns the pictures that a page has not yet and that can be read: PNG files of the folder.
 std::vector<HelpPicture> read_pictures(const std::filesystem::path& folder, const HelpPage& page);

@@ -73,17 +73,28 @@ void ImGuiHost::set_theme(ThemeKind theme) {
     apply_style(context_.palette, context_.scale);
 }
 
+void ImGuiHost::set_scale(float scale) {
+    ImGui::GetIO().Fonts->Clear();
+    context_.scale = scale;
+    context_.letters = {};
+    context_.fonts = load_fonts(scale);
+    set_theme(context_.theme);
+    make_letters();
+}
+
+void ImGuiHost::make_letters() {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+    changed_ = {};
+}
+
 bool ImGuiHost::begin_frame(const std::vector<KeyPress>& pressed, bool tab_moves) {
     for (const ImWchar typed : ImGui::GetIO().InputQueueCharacters) {
         std::array<char, 5> letter{};
         ImTextCharToUtf8(letter.data(), typed);
         note_letters(letter.data());
     }
-    if (context_.letters.load(context_.fonts)) {
-        ImGui_ImplOpenGL3_DestroyFontsTexture();
-        ImGui_ImplOpenGL3_CreateFontsTexture();
-        changed_ = {};
-    }
+    if (context_.letters.load(context_.fonts)) make_letters();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     bool* down = ImGui::GetIO().KeysDown;

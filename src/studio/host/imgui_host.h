@@ -45,11 +45,14 @@ public:
     // Returns why a control refused what was typed, once; empty if none did.
     std::string take_complaint() { return std::exchange(context_.complaint, {}); }
     void set_theme(ThemeKind theme);
+    // May be called only between frames. All typefaces are rasterised again.
+    void set_scale(float scale);
     void set_look(LookMode look) { context_.look = look; }
     const UiContext& context() const { return context_; }
 
 private:
     void use_clipboard();
+    void make_letters();
 
     Window& window_;
     UiContext context_;

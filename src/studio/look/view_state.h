@@ -25,6 +25,9 @@ enum class TileOrder : unsigned char { kFitness, kAge, kParts, kMass, kDifferenc
 // The playback speeds to choose from; 1 is real time.
 inline constexpr std::array kPlaybackSpeeds = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 
+// The sizes of the interface to choose from, in per cent of what the desktop tells.
+inline constexpr std::array kInterfaceSizes = {80, 90, 100, 110, 125, 150, 175, 200};
+
 // Which champions of other generations are displayed beside the creature.
 enum class GhostChoice : unsigned char { kNone, kImprovements, kTenths, kAcross };
 
@@ -68,9 +71,11 @@ struct ViewState {
     ThemeKind theme = ThemeKind::kDark;
     LookMode look = LookMode::kLife;
     Scenery scenery = Scenery::kAutomatic;
+    int size = 100;      // of the interface, one of kInterfaceSizes
     bool follow = true;  // the camera follows the creature
     OverlaysShown overlays;
     PanelSizes panels;
+    bool all_settings = false;  // the panel of settings shows more than the plain ones
     GhostChoice ghosts = GhostChoice::kNone;
     double speed = 1.0;           // speed of playback; 1 is real time
     bool tour_taken = false;      // the user took or declined the tour

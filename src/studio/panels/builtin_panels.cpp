@@ -7,6 +7,7 @@
 #include "studio/panels/cards/help_panel.h"
 #include "studio/panels/cards/machines_panel.h"
 #include "studio/panels/cards/notice_strip.h"
+#include "studio/panels/cards/palette_panel.h"
 #include "studio/panels/cards/samples_panel.h"
 #include "studio/panels/cards/tour_card.h"
 #include "studio/panels/experiment/experiment_panel.h"
@@ -54,6 +55,13 @@ Rect centered(const FrameContext&, const CardSpace& space) {
     return {std::round(over.center().x - 0.5F * w), std::round(over.center().y - 0.5F * h), w, h};
 }
 
+// Returns a rectangle near the top, so that it stays where it is while its content changes.
+Rect palette_place(const FrameContext& frame, const CardSpace& space) {
+    Rect rect = centered<680, 460>(frame, space);
+    rect.y = std::min(rect.y, px(66));
+    return rect;
+}
+
 // The conditions under which panels are shown.
 bool always(const FrameContext&) {
     return true;
@@ -87,6 +95,9 @@ bool files_open(const FrameContext& frame) {
 }
 bool help_open(const FrameContext& frame) {
     return frame.guide.help_shown;
+}
+bool palette_open(const FrameContext& frame) {
+    return frame.window.palette_open;
 }
 bool samples_open(const FrameContext& frame) {
     return frame.samples_shown();
@@ -138,6 +149,7 @@ const std::array kPanels = {
     PanelKind{"machines",      {kCard, 20, 18, {}, 10, centered<860, 600>}, machines_open, make<MachinesPanel>},
     PanelKind{"comparison",    {kCard, 20, 18, {}, 10, centered<860, 640>}, comparison_open, make<ComparisonPanel>},
     PanelKind{"tour",          {kCard, 20, 18, {}, 10, tour_place},       touring,        make<TourCard>},
+    PanelKind{"palette",       {kCard, 14, 14, {}, 10, palette_place},    palette_open,   make<PalettePanel>},
     PanelKind{"notice",        {kCard, 18, 10, {}, 4, notice_place},      notice_told,    make<NoticeStrip>},
 };
 // clang-format on

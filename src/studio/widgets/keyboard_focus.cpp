@@ -36,7 +36,19 @@ void follow() {
     if (ui().focus.arrived && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
 }
 
+int arrow_steps() {
+    const auto pressed = [](ImGuiKey key) {
+        const int index = ImGui::GetKeyIndex(key);
+        return index >= 0 && ImGui::IsKeyPressed(index) ? 1 : 0;
+    };
+    return pressed(ImGuiKey_DownArrow) - pressed(ImGuiKey_UpArrow);
+}
+
 }  // namespace
+
+bool popup_open() {
+    return ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
+}
 
 void begin_focus_frame(int steps) {
     KeyboardFocus& focus = ui().focus;
@@ -46,6 +58,7 @@ void begin_focus_frame(int steps) {
     const int escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
     if (ImGui::GetIO().MouseDown[0] || (escape >= 0 && ImGui::IsKeyPressed(escape, false)))
         focus.control = 0;
+    if (steps == 0 && popup_open()) steps = arrow_steps();
     if (steps == 0 || stops.empty()) return;
     const ImGuiID active = ImGui::GetActiveID();
     auto here = std::find(stops.begin(), stops.end(), active);

@@ -1,12 +1,14 @@
 #pragma once
 
-// Tab and Shift+Tab go from control to control; the one that the keyboard has reached has a ring,
-// and Enter presses it. A text field gets the keys typed.
+// Tab and Shift+Tab, and arrows in a menu or a list of choices, go from control to control; the one
+// that the keyboard has reached has a ring, and Enter presses it. A text field gets the keys typed.
 
 #include "studio/look/ui_context.h"
 
 namespace cambrian {
 
+// Whether a menu or a list of choices is open.
+bool popup_open();
 // Must be called once a frame, before anything is drawn; `steps` is how many controls further the
 // keyboard goes.
 void begin_focus_frame(int steps);

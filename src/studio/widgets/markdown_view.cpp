@@ -204,11 +204,22 @@ std::string draw_block(const MarkdownBlock& block, bool first) {
 
 }  // namespace
 
-std::string draw_markdown(const std::vector<MarkdownBlock>& blocks) {
+std::string draw_markdown(const std::vector<MarkdownBlock>& blocks, const MarkedBlock& mark) {
     std::string pressed;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
+        const bool marked = i == mark.index && i > 0;
+        const ImVec2 low = ImGui::GetCursorScreenPos();
+        if (marked) ImGui::Indent(px(10));
         const std::string link = draw_block(blocks[i], i == 0);
+        if (marked) ImGui::Unindent(px(10));
+        if (marked) {
+            const Rect bar = {low.x, low.y, px(3), ImGui::GetCursorScreenPos().y - low.y - px(6)};
+            ImGui::GetWindowDrawList()->AddRectFilled(bar.low(), bar.high(), paint(colors().accent),
+                                                      px(1.5F));
+            note_place("## marked block", bar);
+            if (mark.scroll) ImGui::SetScrollFromPosY(low.y - ImGui::GetWindowPos().y, 0.2F);
+        }
         if (!link.empty()) pressed = link;
         ImGui::PopID();
     }

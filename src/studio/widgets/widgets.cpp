@@ -171,6 +171,16 @@ bool begin_choice(const char* id, const std::string& shown, float width) {
     return open;
 }
 
+bool choice_line(const std::string& label, bool chosen) {
+    const bool pressed = ImGui::Selectable(label.c_str(), chosen);
+    KeyboardFocus& focus = ui().focus;
+    if (chosen && ImGui::IsWindowAppearing() && focus.control != 0)
+        focus.control = ImGui::GetItemID();
+    if (!focus_stop()) return pressed;
+    ImGui::CloseCurrentPopup();
+    return true;
+}
+
 float choice_width(const std::string& shown) {
     constexpr float chevron_room = 25.0F;
     return std::ceil(ImGui::CalcTextSize(shown.c_str()).x) + ImGui::GetStyle().FramePadding.x +

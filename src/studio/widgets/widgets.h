@@ -42,6 +42,8 @@ int segmented(const std::string& name, const std::vector<std::string>& labels, i
 // Like ImGui::BeginCombo, with the studio's chevron. ImGui::EndCombo() ends it.
 // A text that is too wide for it is shortened.
 bool begin_choice(const char* id, const std::string& shown, float width);
+// A line of an open choice; returns true when it was taken. The keyboard begins at the chosen one.
+bool choice_line(const std::string& label, bool chosen);
 // Returns the width, in pixels, in which begin_choice() shows a text completely.
 float choice_width(const std::string& shown);
 

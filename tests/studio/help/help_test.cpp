@@ -1,10 +1,14 @@
 #include "core/files/file_io.h"
+#include "evolution/fields/setting_words.h"
 #include "studio/actions/action.h"
 #include "studio/help/help_index.h"
 #include "studio/panels/cards/help_panel.h"
+#include "studio/rect_checks.h"
 #include "studio_fixture.h"
 #include "support/null_imgui.h"
 #include "support/temporary_directory.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -12,7 +16,8 @@ namespace cambrian {
 namespace {
 
 std::vector<HelpPage> all_pages() {
-    return read_help(std::string(CAMBRIAN_SOURCE_DIR) + "/assets/help", keys_text());
+    return read_help(std::string(CAMBRIAN_SOURCE_DIR) + "/assets/help", keys_text(),
+                     words_text(setting_fields(test::kinds())));
 }
 const HelpPage& page_named(const std::vector<HelpPage>& pages, const std::string& name) {
     const auto found = std::find_if(pages.begin(), pages.end(),
@@ -42,7 +47,7 @@ TEST_CASE("the help index has the built-in pages and those of the folder", "[stu
     CHECK(page_named(pages, "experiment").title == "Experiment");
     CHECK(page_named(pages, "viewport").title == "Viewport");
     CHECK(says(page_named(pages, kAboutPage), "Dear ImGui"));
-    CHECK(read_help("/no/such/folder", keys_text()).size() == 3);
+    CHECK(read_help("/no/such/folder", keys_text(), "# Words\n").size() == 4);
 }
 
 TEST_CASE("links to files that are no pages are told by name", "[studio][help]") {
@@ -50,7 +55,7 @@ TEST_CASE("links to files that are no pages are told by name", "[studio][help]")
     REQUIRE(write_file(folder.path() / "a.md",
                        "# A\n\n[runs](runs.csv), [no page](part.md), [itself](a.md#b).\n"));
     REQUIRE(write_file(folder.path() / "part.md", "## No title\n"));
-    const auto pages = read_help(folder.path(), keys_text());
+    const auto pages = read_help(folder.path(), keys_text(), "# Words\n");
     const SpanLine& line = page_named(pages, "a").blocks.at(1).line;
     REQUIRE(line.size() == 6);
     CHECK(line[0] == TextSpan{"runs (runs.csv)", SpanLook::kPlain, ""});
@@ -62,9 +67,10 @@ TEST_CASE("every key is on the page of keys", "[studio][help]") {
     const auto pages = all_pages();
     for (const ActionTable& table : action_tables()) {
         for (const Action& action : table.actions) {
-            const std::string more = action.help.empty() ? "" : ". " + action.help;
-            if (!action.keys.empty() && !action.label.empty())
-                CHECK(says(page_named(pages, kKeysPage), action.label + more));
+            if (action.keys.empty() || action.label.empty()) continue;
+            const std::string stop = action.label.ends_with("…") ? " " : ". ";
+            const std::string more = action.help.empty() ? "" : stop + action.help;
+            CHECK(says(page_named(pages, kKeysPage), action.label + more));
         }
     }
 }
@@ -84,6 +90,17 @@ TEST_CASE("a page is chosen from the list, and every page can be drawn", "[studi
         gui.click("help " + next, [&] { panel.draw(frame, out); });
         CHECK(test::asked<ShowHelp>(out).page == next);
     }
+    std::string text = "# Long\n";
+    for (int i = 1; i < 100; ++i)
+        text += fmt::format("\nParagraph {}.\n", i);
+    HelpIndex longer{{help_page("long", text)}, "long"};
+    FrameContext at_place = studio.frame();
+    at_place.guide = {.help = &longer, .help_block = 80, .help_asked = 1};
+    Requests none;
+    for (int i = 0; i < 3; ++i)
+        gui.frame([&] { panel.draw(at_place, none); });
+    const Rect& marked = gui.place("## marked block");
+    CHECK(test::inside(marked, 1280, 800));
     index.open = "missing";
     FrameContext frame = studio.frame();
     frame.guide.help = &index;

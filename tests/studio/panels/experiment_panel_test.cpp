@@ -6,9 +6,62 @@
 namespace cambrian {
 namespace {
 
+enum class Extent : unsigned char { kPlainOnes, kEverySetting };
+
 struct PanelRun : test::PanelRun<ExperimentPanel> {
-    PanelRun() : test::PanelRun<ExperimentPanel>(400.0F, 6000.0F) {}
+    explicit PanelRun(Extent extent = Extent::kEverySetting)
+        : test::PanelRun<ExperimentPanel>(400.0F, 6000.0F) {
+        studio.view().all_settings = extent == Extent::kEverySetting;
+    }
 };
+
+TEST_CASE("the plain panel has what matters most, in plain words, and tells of other changes",
+          "[studio][experiment_panel]") {
+    PanelRun run(Extent::kPlainOnes);
+    run.frame();
+    for (const char* name : {"goal.behavior", "environment preset", "environment.gravity",
+                             "environment.friction", "population.size", "mutation.rate"})
+        CHECK(run.gui.has(name));
+    CHECK_FALSE(run.gui.has("group goal"));
+    CHECK_FALSE(run.gui.has("selection.method"));
+    CHECK_FALSE(run.gui.has("other changes"));
+    ExperimentSettings edited = run.studio.editor().draft();
+    edited.world.environment.gravity = 3.0;
+    run.studio.editor().replace(edited);
+    run.frame();
+    CHECK_FALSE(run.gui.has("other changes"));
+    edited.world.trial.duration = 30.0;
+    run.studio.editor().replace(edited);
+    CHECK(test::asked<ChangeView>(run.click("other changes")).view.all_settings);
+    CHECK(test::asked<ChangeView>(run.click("All settings")).view.all_settings);
+    run.click("environment preset");
+    const auto& edit = test::asked<EditSettings>(run.click("Moon"));
+    CHECK(edit.settings.world.environment.gravity == Approx(1.62));
+    CHECK(edit.settings.world.trial.duration == 30.0);
+}
+
+TEST_CASE("a setting that was asked for is opened, scrolled to and lit up",
+          "[studio][experiment_panel]") {
+    test::PanelRun<ExperimentPanel> run(300.0F, 400.0F);
+    run.studio.view().all_settings = true;
+    FrameContext frame = run.studio.frame();
+    const auto draw = [&] { run.gui.frame([&] { run.panel.draw(frame, run.out); }); };
+    draw();
+    CHECK_FALSE(run.gui.has("body.sensors.smell"));
+    frame.experiment.shown = "body.sensors.smell";
+    frame.experiment.show_asked = 1;
+    for (int i = 0; i < 5; ++i)
+        draw();
+    const Rect lit = run.gui.place("## lit setting");
+    CHECK(lit.y > 0);
+    CHECK(lit.y + lit.height < 400);
+    CHECK(run.gui.place("body.sensors.smell").y == Approx(lit.y).margin(6));
+    for (int i = 0; i < 60 * 3; ++i)
+        draw();
+    run.gui.forget_places();
+    draw();
+    CHECK_FALSE(run.gui.has("## lit setting"));
+}
 
 TEST_CASE("settings of other selection methods are not shown", "[studio][experiment_panel]") {
     PanelRun run;

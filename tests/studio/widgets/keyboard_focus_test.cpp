@@ -63,6 +63,45 @@ TEST_CASE("Tab shows which control it reached, and Enter presses it", "[studio][
     CHECK(controls.first == 1);
 }
 
+TEST_CASE("arrows go through an open list of choices from the chosen one, and Enter takes a line",
+          "[studio][keyboard_focus]") {
+    NullImGui gui;
+    int chosen = 1;
+    const auto frame = [&](int steps = 0) {
+        ui().places.clear();
+        gui.bare_frame([&] {
+            begin_focus_frame(steps);
+            ImGui::Begin("controls");
+            if (begin_choice("##list", "list", 200.0F)) {
+                for (int i = 0; i < 4; ++i) {
+                    if (choice_line("line " + std::to_string(i), i == chosen)) chosen = i;
+                    note_place("line " + std::to_string(i));
+                }
+                ImGui::EndCombo();
+            }
+            ImGui::End();
+        });
+    };
+    const auto press = [&](ImGuiKey key) {
+        gui.hold_key(key, true);
+        frame();
+        gui.hold_key(key, false);
+        frame();
+        frame();
+    };
+    frame();
+    frame(1);
+    press(ImGuiKey_Enter);
+    REQUIRE(popup_open());
+    press(ImGuiKey_DownArrow);
+    CHECK(gui.place("## keyboard focus").contains(gui.place("line 2").center()));
+    press(ImGuiKey_DownArrow);
+    press(ImGuiKey_UpArrow);
+    press(ImGuiKey_Enter);
+    CHECK(chosen == 2);
+    CHECK_FALSE(popup_open());
+}
+
 TEST_CASE("Tab goes through a number that is typed and takes it", "[studio][keyboard_focus]") {
     Controls controls;
     controls.frame();

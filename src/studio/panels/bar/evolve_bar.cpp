@@ -25,6 +25,23 @@ std::string done_words(const FrameContext& frame) {
     return kept == 1 ? "1 generation kept" : fmt::format("{} generations kept", kept);
 }
 
+bool has_short_bar() {
+    return ImGui::GetWindowWidth() < px(860);
+}
+
+int choose_mode(const std::vector<std::string>& labels, int chosen) {
+    int pressed = -1;
+    const bool open = begin_choice("##mode", labels[static_cast<std::size_t>(chosen)], px(112));
+    if (!open) note_place("mode");
+    for (int i = 0; open && i < static_cast<int>(labels.size()); ++i) {
+        const std::string& label = labels[static_cast<std::size_t>(i)];
+        if (choice_line(label, i == chosen)) pressed = i;
+        note_place(label);
+    }
+    if (open) ImGui::EndCombo();
+    return pressed;
+}
+
 std::string best_text(const FrameContext& frame) {
     const EvolutionSnapshot& snapshot = frame.experiment.snapshot;
     if (snapshot.history.empty()) return "–";
@@ -58,10 +75,12 @@ void EvolveBar::draw(const FrameContext& frame, Requests& out) {
 // Draws the choice between automatic evolution, selection by hand and the preserve.
 void EvolveBar::draw_modes(const FrameContext& frame, Requests& out) {
     const int chosen = frame.preserve != nullptr ? 2 : frame.picking != nullptr ? 1 : 0;
-    const int pressed = segmented(
-        "mode", {"Automatic", "Hand-pick", "Preserve"}, chosen,
-        {"Fitness selects who breeds (H)", "You select who breeds, from a grid of creatures (H)",
-         "A closed world in which creatures feed, breed and die by themselves (Ctrl+N)"});
+    const std::vector<std::string> labels = {"Automatic", "Hand-pick", "Preserve"};
+    const std::vector<std::string> tooltips = {
+        "Fitness selects who breeds (H)", "You select who breeds, from a grid of creatures (H)",
+        "A closed world in which creatures feed, breed and die by themselves (Ctrl+N)"};
+    const int pressed =
+        has_short_bar() ? choose_mode(labels, chosen) : segmented("mode", labels, chosen, tooltips);
     if (pressed < 0 || pressed == chosen) return;
     if (pressed == 2) return out.ask(TogglePreserveCard{});
     if (chosen == 2) out.ask(ClosePreserve{});
@@ -96,6 +115,7 @@ void EvolveBar::draw_picking(const FrameContext& frame) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     float x = at.x;
     const auto reading = [&](const std::string& value, const std::string& name, float least) {
+        if (x + px(least) > at.x + ImGui::GetContentRegionAvail().x) return;
         x += std::fmax(px(least), draw_reading({x, at.y - px(1)}, value, name) + px(22));
     };
     const std::size_t grids = snapshot.tree.size();
@@ -133,6 +153,7 @@ void EvolveBar::draw_buttons(const FrameContext& frame, Requests& out) {
     ButtonStyle step;
     step.icon = Icon::kStep;
     step.height = px(34);
+    step.label_shown = !has_short_bar();
     step.enabled = !running;
     step.tooltip = "Evaluate and breed one generation, then pause (G)";
     if (push_button("Step one generation", step)) out.ask(RunOneGeneration{});
@@ -145,7 +166,8 @@ void EvolveBar::draw_numbers(const FrameContext& frame) {
     float x = at.x;
     const float y = at.y - px(1);
     const auto reading = [&](const std::string& value, const std::string& name, float least) {
-        x += std::fmax(px(least), draw_reading({x, y}, value, name) + px(22));
+        if (x + px(least) <= right)
+            x += std::fmax(px(least), draw_reading({x, y}, value, name) + px(22));
     };
     reading(pretty_number(frame.experiment.snapshot.generation), "generation", 96);
     reading(best_text(frame), "best fitness", 110);

@@ -19,12 +19,11 @@ constexpr std::array kMenus = {
          "open samples previous-run | new-preserve add-file keep-preserve close-preserve | "
          "save-creature save-experiment save-settings export-* screenshot | compare machines | "
          "quit"},
-    Menu{"Edit", "undo redo find-setting | new-run-* evolve-shown"},
+    Menu{"Edit", "undo redo | palette find-setting | new-run-* evolve-shown"},
     Menu{"View",
          "pick-by-hand | panel-* | follow newest-always fit | overlay-* | look-* | scenery-* | "
-         "ghosts-* | "
-         "theme"},
-    Menu{"Help", "help keys tour | about"}};
+         "ghosts-* | theme size-larger size-smaller size-100"},
+    Menu{"Help", "help palette keys tour | about"}};
 
 bool any_menu_open() {
     for (const Menu& menu : kMenus) {

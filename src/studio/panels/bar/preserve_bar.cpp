@@ -39,7 +39,8 @@ void draw_preserve_bar(const FrameContext& frame, Requests& out) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     float x = at.x;
     const auto reading = [&](const std::string& value, const std::string& name, float least) {
-        x += std::fmax(px(least), draw_reading({x, at.y - px(1)}, value, name) + px(22));
+        if (x + px(least) <= at.x + ImGui::GetContentRegionAvail().x)
+            x += std::fmax(px(least), draw_reading({x, at.y - px(1)}, value, name) + px(22));
     };
     reading(world_time(picture.tick), "world time", 92);
     reading(fmt::format("{}", picture.residents.size()), "creatures", 84);

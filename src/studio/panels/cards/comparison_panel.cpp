@@ -206,7 +206,7 @@ bool ComparisonPanel::list_settings(const FrameContext& frame, ComparisonDraft& 
     ImGui::InputTextWithHint("##find", "Find a setting", find_.data(), kLongest);
     const SettingFilter filter(find_.data());
     bool changed = false;
-    if (filter.empty() && ImGui::Selectable(kNothingVaried, draft.varied.empty())) {
+    if (filter.empty() && choice_line(kNothingVaried, draft.varied.empty())) {
         draft.varied.clear();
         draft.values.clear();
         changed = true;
@@ -215,7 +215,7 @@ bool ComparisonPanel::list_settings(const FrameContext& frame, ComparisonDraft& 
         if (!may_vary(field) || !filter.finds(field, field.table)) continue;
         const std::string path = path_of(field);
         ImGui::PushID(path.c_str());
-        if (ImGui::Selectable(label_of(field).c_str(), path == draft.varied)) {
+        if (choice_line(label_of(field), path == draft.varied)) {
             draft.varied = path;
             draft.values = suggested_values(field, frame.experiment.editor.draft());
             changed = true;

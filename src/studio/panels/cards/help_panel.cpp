@@ -51,10 +51,11 @@ void HelpPanel::draw(const FrameContext& frame, Requests& out) {
     ImGui::EndChild();
     ImGui::SameLine(0, px(18));
     ImGui::BeginChild("page", {0, 0}, false, ImGuiWindowFlags_NoBackground);
-    if (seen_ != index.open) ImGui::SetScrollY(0.0F);
-    seen_ = index.open;
+    const bool asked = asked_ != frame.guide.help_asked;
+    if (asked) ImGui::SetScrollY(0.0F);
     if (const HelpPage* page = index.open_page()) {
-        follow(draw_markdown(page->blocks), out);
+        asked_ = frame.guide.help_asked;
+        follow(draw_markdown(page->blocks, {frame.guide.help_block, asked}), out);
     } else {
         muted_text(fmt::format("There is no page called \"{}\" in the help folder.", index.open));
     }

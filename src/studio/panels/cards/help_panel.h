@@ -2,8 +2,6 @@
 
 #include "studio/frame/panel.h"
 
-#include <string>
-
 namespace cambrian {
 
 // Shows the help pages, with their list at the left.
@@ -12,7 +10,7 @@ public:
     void draw(const FrameContext& frame, Requests& out) override;
 
 private:
-    std::string seen_;  // name of the page drawn last
+    unsigned asked_ = 0;  // the count of ShowHelp requests in the last frame
 };
 
 }  // namespace cambrian

@@ -1,8 +1,11 @@
 #include "studio/panels/experiment/experiment_panel.h"
 
 #include "core/text/pretty_text.h"
+#include "evolution/fields/setting_words.h"
 #include "studio/experiment/goal_choice.h"
-#include "studio/experiment/setting_presets.h"
+#include "studio/experiment/setting_groups.h"
+#include "studio/frame/ask_preset.h"
+#include "studio/frame/change_view.h"
 #include "studio/frame/help_mark.h"
 #include "studio/panels/experiment/setting_row.h"
 #include "studio/panels/experiment/switch_group.h"
@@ -12,7 +15,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <string_view>
@@ -21,53 +23,8 @@
 namespace cambrian {
 namespace {
 
-constexpr float kLabelIndent = 12.0F;  // indentation of the rows' names
-
-struct GroupName {
-    std::string_view table;
-    std::string_view title;
-    bool open;  // whether the group is open at first
-};
-
-// The groups in the order shown. Tables that are not listed follow under their own name.
-constexpr std::array kGroups = {
-    GroupName{"goal", "Goal", true},
-    GroupName{"environment", "Environment", true},
-    GroupName{"population", "Population", true},
-    GroupName{"selection", "Selection", true},
-    GroupName{"breeding", "Breeding", false},
-    GroupName{"mutation", "Mutation", true},
-    GroupName{"mutation.weights", "Mutation weights", false},
-    GroupName{"body", "Body and brain", false},
-    GroupName{"body.joints", "Joints allowed", false},
-    GroupName{"body.functions", "Neurons allowed", false},
-    GroupName{"body.sensors", "Senses", false},
-    GroupName{"body.organs", "Organs allowed", false},
-    GroupName{"body.references", "Links allowed", false},
-    GroupName{"simulation", "Physics", false},
-    GroupName{"trial", "Trial", false},
-    GroupName{"run", "Run", false},
-};
-
-const GroupName* named(std::string_view table) {
-    const auto found = std::find_if(kGroups.begin(), kGroups.end(),
-                                    [table](const GroupName& each) { return each.table == table; });
-    return found == kGroups.end() ? nullptr : &*found;
-}
-
-std::size_t rank_of(std::string_view table) {
-    const GroupName* group = named(table);
-    return group == nullptr ? kGroups.size() : static_cast<std::size_t>(group - kGroups.data());
-}
-
-// Returns the table whose group shows a setting: its own, except for senses that a world takes
-// away.
-std::string shown_table(const SettingField& field) {
-    constexpr std::array<std::string_view, 2> senses = {"deafness", "anosmia"};
-    const bool sense = field.table == "environment" &&
-                       std::find(senses.begin(), senses.end(), field.key) != senses.end();
-    return sense ? "body.sensors" : field.table;
-}
+constexpr float kLabelIndent = 12.0F;    // indentation of the rows' names
+constexpr float kRoomForHints = 260.0F;  // the least height in which plain settings have hints
 
 void adopt_goal(ExperimentSettings& edited, const FrameContext& frame) {
     const GoalKind* chosen = frame.kinds.goals.find(edited.goal);
@@ -91,12 +48,7 @@ void draw_presets(const std::string& table, const FrameContext& frame, Requests&
         return;
     }
     for (auto preset = presets.begin(); preset != presets.end(); ++preset) {
-        if (ImGui::Selectable(preset->label, preset == shown)) {
-            ExperimentSettings edited = draft;
-            preset->apply(edited, frame.kinds);
-            out.ask(EditSettings{std::move(edited), table});
-            out.ask(FinishEdit{});
-        }
+        if (choice_line(preset->label, preset == shown)) ask_preset(*preset, frame, out);
         note_place(preset->label);
         tooltip(preset->help);
     }
@@ -150,35 +102,128 @@ std::vector<ExperimentPanel::Group> ExperimentPanel::list_groups(
         });
         if (group == groups.end()) {
             const std::string table = shown_table(field);
-            const GroupName* name = named(table);
-            groups.push_back(
-                {table, name != nullptr ? std::string(name->title) : capitalized(table)});
+            groups.push_back({table, group_title(table)});
             group = groups.end() - 1;
         }
         if (!same_value(field, draft, defaults)) ++group->changed;
     }
     std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
-        return rank_of(a.table) < rank_of(b.table);
+        return group_rank(a.table) < group_rank(b.table);
     });
     return groups;
 }
 
 void ExperimentPanel::draw(const FrameContext& frame, Requests& out) {
     place_title("Experiment", "experiment", out);
+    draw_extent(frame, out);
     draw_filter(frame);
     draw_run_warning(frame, out);
     ExperimentSettings draft = frame.experiment.editor.draft();
     ExperimentSettings defaults;
     ImGui::BeginChild("settings", {0, 0}, false, ImGuiWindowFlags_NoBackground);
     const std::vector<Group> groups = list_groups(frame, draft, defaults);
+    if (show_seen_ != frame.experiment.show_asked) seek(frame);
     const SettingFilter filter(filter_.data());
     if (!filter.empty()) {
         draw_found(groups, filter, frame, out);
+    } else if (!frame.view.all_settings) {
+        draw_plain(frame, out);
     } else {
         for (const Group& group : groups)
             draw_group(group, frame, out);
     }
     ImGui::EndChild();
+}
+
+// Draws the choice between the plain settings and all.
+void ExperimentPanel::draw_extent(const FrameContext& frame, Requests& out) {
+    const std::vector<std::string> labels = {"Plain", "All settings"};
+    const float width = ImGui::CalcTextSize((labels[0] + labels[1]).c_str()).x + px(36);
+    const float left = ImGui::GetWindowContentRegionMax().x - px(kHelpMarkRoom) - width;
+    const float title_end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+    if (left > title_end + px(8)) ImGui::SameLine(left);
+    const int chosen = frame.view.all_settings ? 1 : 0;
+    const int pressed = segmented("extent", labels, chosen,
+                                  {"What matters most, in plain words", "Every setting, by group"});
+    if (pressed >= 0 && pressed != chosen)
+        change_view(frame, out, [pressed](ViewState& view) { view.all_settings = pressed == 1; });
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + px(4));
+}
+
+// Makes room for a setting that was asked for, and scrolls to it.
+void ExperimentPanel::seek(const FrameContext& frame) {
+    show_seen_ = frame.experiment.show_asked;
+    sought_ = frame.experiment.shown;
+    filter_.fill('\0');
+    for (const SettingField& field : frame.experiment.fields) {
+        if (path_of(field) != sought_) continue;
+        open_[shown_table(field)] = true;
+        if (!field.group.empty()) open_[shown_table(field) + "/" + field.group] = true;
+    }
+}
+
+// Draws the choice of a world as a row.
+void ExperimentPanel::draw_world(const FrameContext& frame, Requests& out) {
+    const std::string table = "environment";
+    float control = px(kPlainControl);
+    for (const SettingPreset& preset : setting_presets(table))
+        control = std::max(control, choice_width(preset.label));
+    row_label(fmt::format("{} ({})", setting_words(table)->word, table), false,
+              std::floor(ImGui::GetContentRegionAvail().x - control));
+    ImGui::SameLine(0.0F, 0.0F);
+    draw_presets(table, frame, out);
+}
+
+// Draws the settings that matter most, each with what it does where there is room.
+void ExperimentPanel::draw_plain(const FrameContext& frame, Requests& out) {
+    const bool roomy = ImGui::GetWindowHeight() > px(kRoomForHints);
+    for (const std::string_view path : kPlainSettings) {
+        const auto& fields = frame.experiment.fields;
+        const auto field = std::find_if(fields.begin(), fields.end(),
+                                        [path](const auto& each) { return path_of(each) == path; });
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(8), px(roomy ? 3 : 8)));
+        if (field == fields.end()) {
+            draw_world(frame, out);
+        } else {
+            draw_row(*field, frame, out);
+        }
+        if (path == "goal.behavior") {
+            draw_goal_help(frame);
+        } else if (roomy) {
+            ImGui::Indent(px(kLabelIndent));
+            muted_text(std::string(setting_words(path)->hint));
+            ImGui::Unindent(px(kLabelIndent));
+        }
+        ImGui::PopStyleVar();
+        if (roomy) ImGui::Dummy({0, px(3)});
+    }
+    draw_other_changes(frame, out);
+}
+
+// Tells which settings differ from their defaults without being among the plain ones.
+void ExperimentPanel::draw_other_changes(const FrameContext& frame, Requests& out) {
+    ExperimentSettings draft = frame.experiment.editor.draft();
+    ExperimentSettings defaults;
+    std::string names;
+    int count = 0;
+    for (const SettingField& field : frame.experiment.fields) {
+        const bool applies = !field.applies || field.applies(draft);
+        if (is_plain(path_of(field)) || !applies || same_value(field, draft, defaults)) continue;
+        names += (names.empty() ? "" : ", ") + field.label;
+        ++count;
+    }
+    if (count == 0) return;
+    const std::string words =
+        fmt::format("{} more {} from {} default", count, count == 1 ? "differs" : "differ",
+                    count == 1 ? "its" : "their");
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + px(3), at.y + px(15)}, px(3),
+                                                paint(colors().accent));
+    ImGui::Indent(px(kLabelIndent));
+    if (push_button(words, {.look = ButtonLook::kGhost, .tooltip = names.c_str()}))
+        change_view(frame, out, [](ViewState& view) { view.all_settings = true; });
+    note_place("other changes");
+    ImGui::Unindent(px(kLabelIndent));
 }
 
 void ExperimentPanel::draw_filter(const FrameContext& frame) {
@@ -264,8 +309,7 @@ void ExperimentPanel::draw_run_warning(const FrameContext& frame, Requests& out)
 }
 
 bool ExperimentPanel::draw_header(const Group& group) {
-    const GroupName* name = named(group.table);
-    bool& open = open_.try_emplace(group.table, name != nullptr && name->open).first->second;
+    bool& open = open_.try_emplace(group.table, is_open_at_first(group.table)).first->second;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 size = {ImGui::GetContentRegionAvail().x, px(32)};
     if (ImGui::InvisibleButton(group.title.c_str(), size)) open = !open;
@@ -320,11 +364,31 @@ void ExperimentPanel::draw_switch_groups(const std::string& table, const FrameCo
     }
 }
 
+// Scrolls to the row about to be drawn if it is sought, and marks it for a while.
+void ExperimentPanel::light_up(const std::string& path) {
+    constexpr double while_lit = 2.5;  // s
+    if (path == sought_) {
+        ImGui::SetScrollHereY(0.3F);
+        ImGui::SetKeyboardFocusHere();
+        lit_ = std::exchange(sought_, {});
+        lit_until_ = ImGui::GetTime() + while_lit;
+    }
+    if (path != lit_ || ImGui::GetTime() > lit_until_) return;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {low.x, low.y - px(2)}, {low.x + width, low.y + ImGui::GetFrameHeight() + px(2)},
+        paint(with_alpha(colors().accent, 0.3F)), px(5));
+    note_place("## lit setting", {low.x, low.y, width, ImGui::GetFrameHeight()});
+}
+
 void ExperimentPanel::draw_row(const SettingField& field, const FrameContext& frame,
                                Requests& out) {
     ExperimentSettings defaults;
     ExperimentSettings edited = frame.experiment.editor.draft();
-    const RowEvent event = setting_row(field, edited, defaults);
+    light_up(path_of(field));
+    const RowEvent event =
+        setting_row(field, edited, defaults, !frame.view.all_settings && is_plain(path_of(field)));
     if (event == RowEvent::kNone) return;
     if (field.table == "goal") adopt_goal(edited, frame);
     if (frame.kinds.breeding.find(field.key) != nullptr)

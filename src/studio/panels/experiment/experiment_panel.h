@@ -10,7 +10,8 @@
 
 namespace cambrian {
 
-// Shows all settings by group, generated from the table of fields.
+// Shows the settings that matter most in plain words or all settings by group, generated from the
+// table of fields.
 class ExperimentPanel final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
@@ -22,7 +23,13 @@ private:
         int changed = 0;  // number of fields that differ from their default
     };
     void draw_run_warning(const FrameContext& frame, Requests& out);
+    void draw_extent(const FrameContext& frame, Requests& out);
     void draw_filter(const FrameContext& frame);
+    static void draw_world(const FrameContext& frame, Requests& out);
+    void draw_plain(const FrameContext& frame, Requests& out);
+    void draw_other_changes(const FrameContext& frame, Requests& out);
+    void seek(const FrameContext& frame);
+    void light_up(const std::string& path);
     void draw_found(const std::vector<Group>& groups, const SettingFilter& filter,
                     const FrameContext& frame, Requests& out);
     void draw_group(const Group& group, const FrameContext& frame, Requests& out);
@@ -35,6 +42,10 @@ private:
     std::array<char, 64> filter_{};
     unsigned find_seen_ = 0;     // the count of FindSetting requests in the last frame
     bool first_wanted_ = false;  // moves the keyboard focus to the first value found
+    unsigned show_seen_ = 0;     // the count of ShowSetting requests in the last frame
+    std::string sought_;         // path of the setting to scroll to
+    std::string lit_;            // path of the one that is lit up
+    double lit_until_ = 0.0;     // s
     // Whether the user opened a table; an absent one is as at the start.
     std::map<std::string, bool> open_;
 };

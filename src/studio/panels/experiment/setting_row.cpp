@@ -2,6 +2,7 @@
 
 #include "core/text/parsed_number.h"
 #include "core/text/pretty_text.h"
+#include "evolution/fields/setting_words.h"
 #include "studio/experiment/settings_editor.h"
 #include "studio/widgets/widgets.h"
 
@@ -20,8 +21,9 @@ constexpr float kLeastControl = 112.0F;  // width that names leave to the contro
 constexpr float kLabelMargin = 20.0F;    // width around a label: its mark and a gap
 
 std::string help_text(const SettingField& field, ExperimentSettings& defaults) {
-    std::string text =
-        fmt::format("{}\n\nDefault {}.", field.help, value_text(field, field.at(defaults)));
+    const std::string name = plain_label(field);
+    std::string text = fmt::format("{}{}\n\nDefault {}.", name == field.label ? "" : name + "\n",
+                                   field.help, value_text(field, field.at(defaults)));
     if (field.high > field.low && !std::holds_alternative<bool*>(field.at(defaults))) {
         text += fmt::format(" Allowed {} to {}; Ctrl+click to type.", pretty_number(field.low),
                             with_unit(field.high, field.unit));
@@ -63,10 +65,9 @@ float text_width(const SettingField& field, const SettingRef& ref, const Setting
 
 // Returns the width, in pixels, of the control in a row. A wide text may take what a short label
 // leaves.
-float control_width(const SettingField& field, float full, float text) {
-    const float usual =
-        std::min((1.0F - kLabelShare) * full, std::max(px(kLeastControl), 0.38F * full));
-    const float label = ImGui::CalcTextSize(field.label.c_str()).x + px(kLabelMargin);
+float control_width(const std::string& name, float full, float text, float least) {
+    const float usual = std::min((1.0F - kLabelShare) * full, std::max(px(least), 0.35F * full));
+    const float label = ImGui::CalcTextSize(name.c_str()).x + px(kLabelMargin);
     return std::max(usual, std::min(text, full - label));
 }
 
@@ -106,7 +107,7 @@ bool choice_box(const SettingField& field, std::string& value, float width) {
     bool edited = false;
     if (begin_choice("##value", choice_text(field, value), width)) {
         for (const std::string& choice : field.choices) {
-            if (ImGui::Selectable(choice_text(field, choice).c_str(), choice == value)) {
+            if (choice_line(choice_text(field, choice), choice == value)) {
                 edited = choice != value;
                 value = choice;
             }
@@ -143,7 +144,9 @@ bool draw_control(const SettingField& field, const SettingRef& ref, const Settin
     return false;
 }
 
-void draw_label(const SettingField& field, bool changed, float width) {
+}  // namespace
+
+void row_label(const std::string& label, bool changed, float width) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetFrameHeight();
     ImGui::Dummy({width, height});
@@ -151,14 +154,14 @@ void draw_label(const SettingField& field, bool changed, float width) {
     if (changed) {
         list.AddCircleFilled({at.x + px(3), at.y + 0.5F * height}, px(3), paint(colors().accent));
     }
-    const std::string shown = fit_text(field.label, width - px(kLabelMargin));
-    const float text_y = at.y + 0.5F * (height - ImGui::GetFontSize());
-    list.AddText({at.x + px(12), std::floor(text_y)},
-                 paint(changed ? colors().text : mix(colors().muted, colors().text, 0.35F)),
-                 shown.c_str());
+    const std::string shown = fit_text(label, width - px(kLabelMargin));
+    const std::string word = shown.substr(0, shown.find(" ("));
+    const ImVec2 text = {at.x + px(12), std::floor(at.y + 0.5F * (height - ImGui::GetFontSize()))};
+    list.AddText(text, paint(changed ? colors().text : mix(colors().muted, colors().text, 0.35F)),
+                 word.c_str());
+    list.AddText({text.x + ImGui::CalcTextSize(word.c_str()).x, text.y}, paint(colors().muted),
+                 shown.c_str() + word.size());
 }
-
-}  // namespace
 
 SliderRange slider_range(const SettingField& field, double standard, double present) {
     if (field.logarithmic) return {field.low, field.high};
@@ -174,14 +177,16 @@ SliderRange slider_range(const SettingField& field, double standard, double pres
 }
 
 RowEvent setting_row(const SettingField& field, ExperimentSettings& settings,
-                     ExperimentSettings& defaults) {
+                     ExperimentSettings& defaults, bool in_plain_words) {
     const std::string name = path_of(field);
+    const std::string label = in_plain_words ? plain_label(field) : field.label;
     ImGui::PushID(name.c_str());
     const float full = ImGui::GetContentRegionAvail().x;
     const float text = text_width(field, field.at(settings), field.at(defaults));
-    const float label_width = std::floor(full - control_width(field, full, text));
+    const float label_width = std::floor(
+        full - control_width(label, full, text, in_plain_words ? kPlainControl : kLeastControl));
     const bool changed = !same_value(field, settings, defaults);
-    draw_label(field, changed, label_width);
+    row_label(label, changed, label_width);
     const bool label_clicked = ImGui::IsItemClicked(ImGuiMouseButton_Right);
     tooltip(help_text(field, defaults));
     ImGui::SameLine(0.0F, 0.0F);

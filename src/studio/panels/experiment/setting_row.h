@@ -20,8 +20,13 @@ enum class RowEvent : unsigned char {
     kFinished  // the control was released
 };
 
-// Draws the row and edits `settings` in place.
+inline constexpr float kPlainControl = 100.0F;  // least width of a control in plain words
+
+// Draws the row and edits `settings` in place. In plain words its name is "Grip (friction)".
 RowEvent setting_row(const SettingField& field, ExperimentSettings& settings,
-                     ExperimentSettings& defaults);
+                     ExperimentSettings& defaults, bool in_plain_words = false);
+// Draws only a name, over a width in pixels, with a mark if the value was changed. What is in
+// brackets is muted.
+void row_label(const std::string& label, bool changed, float width);
 
 }  // namespace cambrian

@@ -75,7 +75,7 @@ void draw_order(const FrameContext& frame, Requests& out) {
     note_place("tile order");
     if (!open) return tooltip("The order of the creatures. " + std::string(chosen.what));
     for (const TileSorting& sorting : tile_sortings()) {
-        if (ImGui::Selectable(sorting.name, sorting.order == chosen.order)) {
+        if (choice_line(sorting.name, sorting.order == chosen.order)) {
             change_view(frame, out, [&](ViewState& view) { view.order = sorting.order; });
         }
         note_place(fmt::format("by {}", sorting.id));
@@ -99,8 +99,12 @@ void draw_filter(const FrameContext& frame, Requests& out) {
                  .tooltip = "Only creatures with a star, of all generations. A click on a "
                             "tile's corner or K gives a star or takes it away."},
                 frame, out);
+    constexpr const char* plans = "One per body plan";
+    const float end = ImGui::GetItemRectMax().x + ImGui::CalcTextSize(plans).x + px(32);
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (end > right - px(kHelpMarkRoom)) return;  // the palette has it, too
     ImGui::SameLine();
-    draw_toggle("One per body plan", &ViewState::one_a_plan,
+    draw_toggle(plans, &ViewState::one_a_plan,
                 {.tooltip = "Only the best of each body plan: of creatures whose parts and "
                             "joints form the same tree, whatever their sizes."},
                 frame, out);

@@ -27,7 +27,7 @@ void draw_quantities(const FrameContext& frame, Requests& out) {
     note_place("timeline quantity");
     if (!open) return tooltip("The quantity plotted (Up, Down). " + std::string(chosen.what));
     for (const TimelinePlot& plot : timeline_plots()) {
-        if (ImGui::Selectable(plot.name, &plot == &chosen)) {
+        if (choice_line(plot.name, &plot == &chosen)) {
             change_view(frame, out, [&](ViewState& view) { view.quantity = plot.quantity; });
         }
         note_place(plot.name);

@@ -104,7 +104,7 @@ public:
         if (begin_choice("##value", labels[chosen], width_)) {
             edit_.begun = true;
             for (std::size_t i = 0; i < labels.size(); ++i) {
-                if (ImGui::Selectable(labels[i].c_str(), i == chosen) && i != chosen) {
+                if (choice_line(labels[i], i == chosen) && i != chosen) {
                     value = static_cast<Choice>(i);
                     finish(place, labels[chosen], labels[i]);
                     changed = true;

@@ -13,7 +13,8 @@
 namespace cambrian {
 namespace {
 
-constexpr float kNarrowBar = 640.0F;  // width below which the speeds do not all fit
+constexpr float kNarrowBar = 640.0F;       // width below which the speeds do not all fit
+constexpr float kLeastWithSteps = 400.0F;  // narrower bars leave single ticks to the keys
 
 bool is_narrow_bar() {
     return ImGui::GetWindowWidth() < px(kNarrowBar);
@@ -77,8 +78,7 @@ int choose_speed(const std::vector<std::string>& labels, int chosen) {
     const std::string shown = chosen < 0 ? "" : labels[static_cast<std::size_t>(chosen)];
     if (begin_choice("##speed", shown, px(64))) {
         for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
-            if (ImGui::Selectable(labels[static_cast<std::size_t>(i)].c_str(), i == chosen))
-                pressed = i;
+            if (choice_line(labels[static_cast<std::size_t>(i)].c_str(), i == chosen)) pressed = i;
         }
         ImGui::EndCombo();
     }
@@ -125,14 +125,16 @@ void TransportBar::draw(const FrameContext& frame, Requests& out) {
     const bool playing = frame.viewer.playback.pace().playing;
     if (icon_button("Restart", Icon::kRestart, "Restart (R)")) out.ask(RestartPlayback{});
     ImGui::SameLine();
-    if (icon_button("Back one tick", Icon::kStepBack, "Back one tick of 1/60 s (,)"))
+    const bool has_steps = ImGui::GetWindowWidth() > px(kLeastWithSteps);
+    if (has_steps && icon_button("Back one tick", Icon::kStepBack, "Back one tick of 1/60 s (,)"))
         out.ask(StepPlaybackBack{});
-    ImGui::SameLine();
+    if (has_steps) ImGui::SameLine();
     if (icon_button("Play", playing ? Icon::kPause : Icon::kPlay,
                     playing ? "Pause the creature (P)" : "Play (P)"))
         out.ask(TogglePlayback{});
-    ImGui::SameLine();
-    if (icon_button("One tick", Icon::kStep, "One tick of 1/60 s (.)")) out.ask(StepPlayback{});
+    if (has_steps) ImGui::SameLine();
+    if (has_steps && icon_button("One tick", Icon::kStep, "One tick of 1/60 s (.)"))
+        out.ask(StepPlayback{});
     ImGui::SameLine(0, px(is_narrow_bar() ? 8 : 16));
     draw_speeds(frame, out);
     draw_newest(frame, out);

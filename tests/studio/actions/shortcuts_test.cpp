@@ -59,6 +59,40 @@ TEST_CASE("the speed keys step through the speeds and stop at the ends", "[studi
     CHECK(test::asked<ChangeView>(slower).view.speed == 0.5);
 }
 
+TEST_CASE("keys step through the sizes of the interface and stop at the ends",
+          "[studio][shortcuts]") {
+    test::StudioFixture studio;
+    const auto size_after = [&](const KeyPress& press) {
+        Requests out;
+        press_shortcut(press, true, studio.frame(), out);
+        return out.all().empty() ? studio.view().size : test::asked<ChangeView>(out).view.size;
+    };
+    CHECK(size_after({GLFW_KEY_EQUAL, true}) == 110);
+    CHECK(size_after({GLFW_KEY_EQUAL, true, true}) == 110);
+    CHECK(size_after({GLFW_KEY_KP_ADD, true}) == 110);
+    CHECK(size_after({GLFW_KEY_KP_SUBTRACT, true}) == 90);
+    studio.view().size = 200;
+    CHECK(size_after({GLFW_KEY_EQUAL, true}) == 200);
+    CHECK(size_after({GLFW_KEY_0, true}) == 100);
+    studio.view().size = 80;
+    CHECK(size_after({GLFW_KEY_MINUS, true}) == 80);
+}
+
+TEST_CASE("where one side panel hides the other, its menu line shows it instead",
+          "[studio][shortcuts]") {
+    test::StudioFixture studio;
+    FrameContext frame = studio.frame();
+    frame.window.narrow = true;
+    const Action& right = *find_action("panel-right", frame).action;
+    CHECK_FALSE(right.chosen(frame));
+    Requests out;
+    right.ask(frame, out);
+    CHECK(test::asked<ChangeView>(out).view.panels.right);
+    CHECK_FALSE(test::asked<ChangeView>(out).view.panels.left);
+    frame.window.narrow = false;
+    CHECK(right.chosen(frame));
+}
+
 TEST_CASE("over the grid Space picks the creature in focus", "[studio][shortcuts][picking]") {
     test::StudioFixture studio;
     studio.show_grid(9);
