@@ -16,6 +16,9 @@
 namespace cambrian {
 namespace {
 
+constexpr float kRoomForList = 280.0F;  // the least height for buttons and list
+constexpr float kLowList = 200.0F;
+
 constexpr std::size_t kMostLineages = 40;
 constexpr float kLineageHeight = 34.0F;
 
@@ -108,7 +111,7 @@ void draw_snapshots(const PreservePicture& picture, float width, Requests& out) 
         const auto& ticks = *picture.snapshots;
         for (auto tick = ticks.rbegin(); tick != ticks.rend(); ++tick) {
             const std::string name = "back to " + world_time(*tick);
-            if (ImGui::Selectable(name.c_str())) out.ask(BranchFrom{*tick});
+            if (choice_line(name, false)) out.ask(BranchFrom{*tick});
             note_place(name);
         }
         ImGui::EndCombo();
@@ -150,11 +153,15 @@ void draw_tabs(WorldList shown, Requests& out) {
 
 void PreservePanel::draw(const FrameContext& frame, Requests& out) {
     place_title("Preserve", "preserve", out);
+    // Where the list would have no room, it is scrolled along with the buttons.
+    const bool low = ImGui::GetContentRegionAvail().y < px(kRoomForList);
+    if (low) ImGui::BeginChild("preserve", {0, 0}, false, ImGuiWindowFlags_NoBackground);
     draw_additions(frame, out);
     draw_tools(*frame.preserve, out);
     draw_file(*frame.preserve, out);
     draw_tabs(frame.preserve->list, out);
-    ImGui::BeginChild("world list", {0, 0}, false, ImGuiWindowFlags_NoBackground);
+    ImGui::BeginChild("world list", {0, low ? px(kLowList) : 0.0F}, false,
+                      ImGuiWindowFlags_NoBackground);
     switch (frame.preserve->list) {
         case WorldList::kLineages:
             draw_lineages(frame.preserve->picture, out);
@@ -166,6 +173,7 @@ void PreservePanel::draw(const FrameContext& frame, Requests& out) {
             museum_.draw(frame, out);
     }
     ImGui::EndChild();
+    if (low) ImGui::EndChild();
 }
 
 }  // namespace cambrian

@@ -18,6 +18,8 @@
 namespace cambrian {
 namespace {
 
+constexpr float kRoomForCaption = 420.0F;  // beside the legend of energies
+
 using Number = double (*)(const SeriesRow& row);
 
 // Colours of the colour-blind-safe set of Okabe & Ito, readable on both themes.
@@ -87,7 +89,7 @@ void draw_legend(std::span<const Curve> curves) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const WithFont font(ui().fonts.small);
     const ImVec2 corner = ImGui::GetWindowPos();
-    float x = corner.x + ImGui::GetWindowContentRegionMax().x - px(kHelpMarkRoom) - px(6);
+    float x = corner.x + ImGui::GetWindowContentRegionMax().x - px(6);
     const float y = std::round(ImGui::GetItemRectMin().y);
     for (auto curve = curves.rbegin(); curve != curves.rend(); ++curve) {
         x -= ImGui::CalcTextSize(curve->label).x;
@@ -204,7 +206,7 @@ void WorldPlotsPanel::draw(const FrameContext& frame, Requests& out) {
 void EnergyPlotPanel::draw(const FrameContext& frame, Requests& out) {
     const std::vector<SeriesRow>& rows = *frame.preserve->picture.series;
     place_title("Energy", "preserve", out);
-    caption("Shares in %");
+    caption(ImGui::GetContentRegionAvail().x < px(kRoomForCaption) ? "%" : "Shares in %");
     draw_legend(energy_pools());
     const Rect area = plot_area();
     if (!can_draw(area, rows.size())) return;
