@@ -35,7 +35,7 @@ die by themselves.
   [viewport](viewport.md), [inspector](inspector.md), [timeline](timeline.md).
 - [Keys](keys.md) lists what the keyboard does. Everything of the first minute works without a
   mouse: `Space` evolves, `/` finds a setting, `Ctrl+S` saves the creature, `Ctrl+Q` quits.
-- *File*, *Samples* holds creatures that were evolved before.
+- *File*, *Samples* holds creatures that were evolved before; each moves while the pointer is on it.
 )";
 
 constexpr const char* kAbout = R"(# About Cambrian
