@@ -13,8 +13,9 @@
 namespace cambrian {
 namespace {
 
-// Scale from which joints and organs are drawn, in pixels per metre.
-constexpr double kDetailScale = 45.0;
+// Scales from which bodies have skins, eyes and organs, in pixels per metre.
+constexpr double kDetailScale = 22.0;
+constexpr double kLightDetailScale = 45.0;  // in light frames
 constexpr double kPlantRadius = 0.07;   // m
 constexpr double kFinePlant = 4.0;      // pixels; smaller ones have one colour
 constexpr double kLeastDot = 1.6;       // pixels
@@ -421,11 +422,12 @@ void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
     add_seams(frame, palette, camera, picture.area);
     add_drawn_walls(frame, palette, picture);
     add_food(frame, camera, picture, shown.time());
+    const double detail = frame.detail == Detail::kLight ? kLightDetailScale : kDetailScale;
     for (const ResidentPicture& each : picture.residents) {
         if (!in_view(each, window, shifts)) continue;
         const double hue = lineage_hue(each.life.lineage);
         add_birth(frame, camera, each, shown);
-        if (camera.pixels_per_metre >= kDetailScale) {
+        if (camera.pixels_per_metre >= detail) {
             add_detailed_body(frame, palette, camera, each, hue, shown);
         } else if (marks.look == LookMode::kMechanics) {
             add_simple_body(frame, palette, camera, each, hue);
