@@ -1,7 +1,10 @@
+#include "genome/creature_name.h"
 #include "persist/creature/creature_file.h"
 #include "studio_run.h"
 
 #include <algorithm>
+#include <cctype>
+#include <string>
 
 namespace cambrian {
 namespace {
@@ -189,8 +192,13 @@ TEST_CASE("a creature of the grid is shown alone and saved", "[studio][controlle
     run.ask(ShowGrid{});
     run.ask(SaveCell{7});
     CHECK(run.studio.frame_context().files.browser.open);
-    CHECK(run.studio.frame_context().files.browser.suggested_name ==
-          "creature-8-of-grid-1.creature.json");
+    const Exhibit& shown = run.studio.frame_context().viewer.playback.exhibit();
+    CHECK(shown.title == "Creature 8 of grid 1");
+    CHECK(shown.name() == creature_name(*genome));
+    std::string stem = shown.name();
+    std::transform(stem.begin(), stem.end(), stem.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    CHECK(run.studio.frame_context().files.browser.suggested_name == stem + ".creature.json");
     const auto path = run.folder.path() / "picked.creature.json";
     run.ask(SaveCreatureFile{path});
     REQUIRE(run.frames_until([&] { return std::filesystem::exists(path); }));
