@@ -23,9 +23,9 @@ void draw_world_frame(PictureCanvas& canvas, const Palette& palette, const Prese
     const Area world =
         room.inset(std::min(kWorldMargin * unit, 0.1 * std::min(room.width, room.height)));
     Camera camera;
-    camera.center = picture.area.middle().head<2>();
     camera.pixels_per_metre =
         std::min(world.width / picture.area.width, world.height / picture.area.height);
+    camera.center = middle_of_view(picture.area, room.height * camera.pixel());
     SceneFrame frame;
     WorldMarks marks;
     marks.scenery = Daytime::kNoon;

@@ -16,14 +16,14 @@ namespace {
 // Scales from which bodies have skins, eyes and organs, in pixels per metre.
 constexpr double kDetailScale = 22.0;
 constexpr double kLightDetailScale = 45.0;  // in light frames
-constexpr double kPlantRadius = 0.07;   // m
-constexpr double kFinePlant = 4.0;      // pixels; smaller ones have one colour
-constexpr double kLeastDot = 1.6;       // pixels
-constexpr double kMostFlesh = 0.35;     // m
-constexpr double kFleshOfJoule = 0.05;  // m; radius of 1 J
-constexpr double kStalkWidth = 0.022;   // m
-constexpr double kStalkPixels = 1.2;    // least width
-constexpr double kLeaf = 0.09;          // m; how far a leaf reaches to its side
+constexpr double kPlantRadius = 0.07;       // m
+constexpr double kFinePlant = 4.0;          // pixels; smaller ones have one colour
+constexpr double kLeastDot = 1.6;           // pixels
+constexpr double kMostFlesh = 0.35;         // m
+constexpr double kFleshOfJoule = 0.05;      // m; radius of 1 J
+constexpr double kStalkWidth = 0.022;       // m
+constexpr double kStalkPixels = 1.2;        // least width
+constexpr double kLeaf = 0.09;              // m; how far a leaf reaches to its side
 constexpr double kWallPixels = 3.0;
 constexpr double kBirthShown = 0.9;  // s for which a birth is seen
 constexpr double kDeathShown = 1.8;  // s
@@ -438,6 +438,12 @@ void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
     }
     add_deaths(frame, camera, picture, shown);
     repeat_from(first, frame, window, shifts);
+}
+
+Vec2 middle_of_view(const WorldArea& area, double height) {
+    Vec2 middle = area.middle().head<2>();
+    if (area.has_ground && height > area.height) middle.y() = (0.5 - kGroundShare) * height;
+    return middle;
 }
 
 Vec2 image_near(const WorldArea& area, const Vec2& point, const Vec2& there) {

@@ -30,6 +30,11 @@ struct WorldMarks {
 void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
                const Viewport& viewport, const PreservePicture& picture, const WorldMarks& marks);
 
+// Returns the middle of a view of so many metres' height that shows a whole world. A meadow may be
+// a narrow strip; the rest of the view is its sky.
+Vec2 middle_of_view(const WorldArea& area, double height);
+inline constexpr double kGroundShare = 0.2;  // of a view, below the ground of a meadow
+
 // Returns the image of a point of the world that is nearest to another point (m).
 Vec2 image_near(const WorldArea& area, const Vec2& point, const Vec2& there);
 

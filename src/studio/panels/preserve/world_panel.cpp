@@ -21,7 +21,6 @@ namespace {
 constexpr double kChaseLag = 0.25;     // s; time constant with which the camera follows
 constexpr double kChaseMargin = 0.06;  // share of the viewport free around a followed creature
 constexpr double kLeastSight = 3.0;    // m; least height of a meadow that is in view
-constexpr double kGroundShare = 0.2;   // share of the view below the ground
 constexpr double kWorldShare = 0.97;   // share of the viewport filled by the world
 constexpr float kHeadHeight = 36.0F;   // of the words above it, in units of 1/96 inch
 constexpr double kPickPixels = 12.0;   // distance at which a click picks a creature
@@ -120,10 +119,7 @@ void WorldPanel::place_camera(const FrameContext& frame) {
             const Vec2 corner(0.5 * area.width, 0.5 * area.height);
             const Vec2 middle = area.middle().head<2>();
             camera.fit({middle - corner, middle + corner}, kWorldShare, room);
-            // A meadow may be a narrow strip; the rest of the view is its sky.
-            const double height = room.height * camera.pixel();
-            if (area.has_ground && height > area.height)
-                camera.center.y() = (0.5 - kGroundShare) * height;
+            camera.center = middle_of_view(area, room.height * camera.pixel());
         }
     }
     if (preserve.follow && preserve.picked != nullptr) {
