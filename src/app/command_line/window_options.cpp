@@ -26,7 +26,7 @@ void add_window_options(CLI::App& app, StudioOptions& options) {
     app.add_option_function<std::string>(
            "--scenery",
            [&options](const std::string& name) { options.scenery = scenery_named(name); },
-           "How much of the scenery is drawn; as it was left, at first automatic, by default")
+           "Detail of the scenery that is drawn; as it was left, at first automatic, by default")
         ->check(
             CLI::IsMember(std::vector<std::string>(kSceneryNames.begin(), kSceneryNames.end())));
     app.add_option("--status-log", options.status_log,
