@@ -1,10 +1,9 @@
 // A body that nothing touches keeps its angular momentum, whatever it does.
 
-#include "dynamics/stepping/tree_spin.h"
-
 #include "dynamics/evaluation/accelerations.h"
 #include "dynamics/random_motion.h"
 #include "dynamics/rig.h"
+#include "dynamics/stepping/audit.h"
 #include "support/catch.h"
 
 #include <cmath>

@@ -2,8 +2,11 @@
 
 // Contact points of boxes with the ground or with each other (dynamics/README.md 8).
 
+#include "core/assert.h"
 #include "dynamics/model/planar_model.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace cambrian {
@@ -67,10 +70,22 @@ struct ContactSet {
     }
 
 private:
-    Contact* drop_farthest(double gap);
+    Contact* drop_farthest(double gap) {
+        CAMBRIAN_TICK_ASSERT(count == most, "there is no room");
+        int farthest = 0;
+        for (int i = 1; i < count; ++i) {
+            if (items[i].gap > items[farthest].gap) farthest = i;
+        }
+        if (gap >= items[farthest].gap) return nullptr;
+        std::copy(items + farthest + 1, items + count, items + farthest);
+        return &items[count - 1];
+    }
 };
 
 // Returns the face of a box whose normal is nearest to a direction in the box's frame.
-Face face_toward(double x, double y);
+inline Face face_toward(double x, double y) {
+    if (std::fabs(x) >= std::fabs(y)) return x > 0.0 ? Face::kDistal : Face::kProximal;
+    return y > 0.0 ? Face::kLeft : Face::kRight;
+}
 
 }  // namespace cambrian

@@ -2,7 +2,7 @@
 
 // A body between two ticks, in as little memory as its numbers need (dynamics/README.md 23).
 
-#include "dynamics/evaluation/number_counts.h"
+#include "dynamics/evaluation/cache_numbers.h"
 #include "dynamics/island/scene_body.h"
 
 #include <cstddef>

@@ -11,7 +11,7 @@
 // Differential Equations I, II.1.)
 
 #include "dynamics/constraints/contact_solver.h"
-#include "dynamics/evaluation/number_counts.h"
+#include "dynamics/evaluation/cache_numbers.h"
 #include "dynamics/stepping/integrator.h"
 
 namespace cambrian {

@@ -4,7 +4,6 @@
 #include "dynamics/evaluation/cache_numbers.h"
 #include "dynamics/stepping/audit.h"
 #include "dynamics/stepping/time_of_impact.h"
-#include "dynamics/stepping/tree_spin.h"
 #include "math/elementary.h"
 #include "world/environment.h"
 

@@ -5,7 +5,6 @@
 
 #include "dynamics/constraints/contact_solver.h"
 #include "dynamics/stepping/midpoint_step.h"
-#include "dynamics/stepping/part_forces.h"
 #include "dynamics/stepping/time_of_impact.h"
 #include "world/physics_scene.h"
 #include "world/scene_settings.h"
@@ -14,6 +13,13 @@
 #include <optional>
 
 namespace cambrian {
+
+// Forces on the measured parts, as means over a tick, for sensors.
+struct PartForces {
+    PerPart speed_x = {}, speed_y = {};        // m/s, of the part's centre at the end of the tick
+    PerPart specific_x = {}, specific_y = {};  // m/s^2, acceleration of the centre minus gravity
+    PerPart load = {};  // N, sum of the normal forces; during a tick, the impulse in N s so far
+};
 
 // A contact of the last solved step, for display.
 struct HeldContact {
