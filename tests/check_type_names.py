@@ -1,18 +1,22 @@
-"""Checks that no two headers of src define types of the same name. A program in which two layers do
-is not valid (one definition rule), although compilers do not notice it."""
+"""Checks that no two headers of src define types of the same name in one namespace. A program in which
+two layers do is not valid (one definition rule), although compilers do not notice it."""
 
 import pathlib
 import re
 import sys
 
+NAMESPACE = re.compile(r"^namespace ([\w:]+) \{", re.MULTILINE)
 TYPE = re.compile(r"^(?:struct|class|enum class) (\w+)(?: final)?(?: :[^;{]*)? *\{", re.MULTILINE)
 
 
 def places_of_types(folder):
     places = {}
     for header in sorted(folder.rglob("*.h")):
-        for name in TYPE.findall(header.read_text()):
-            places.setdefault(name, []).append(header.relative_to(folder))
+        text = header.read_text()
+        namespace = NAMESPACE.search(text)
+        for name in TYPE.findall(text):
+            whole = f"{namespace[1]}::{name}" if namespace else name
+            places.setdefault(whole, []).append(header.relative_to(folder))
     return places
 
 

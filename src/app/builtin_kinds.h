@@ -4,7 +4,8 @@
 
 namespace cambrian {
 
-// Returns all built-in kinds. Only this function names the implementation of physics.
-EvolutionKinds builtin_kinds();
+// Returns all built-in kinds of worlds in two or three dimensions. Only this function names the
+// implementations of physics.
+EvolutionKinds builtin_kinds(int dimensions = 2);
 
 }  // namespace cambrian

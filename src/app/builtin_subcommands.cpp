@@ -17,6 +17,7 @@ SubcommandRegistry builtin_subcommands() {
     subcommands.add(render_subcommand());
     subcommands.add(verify_subcommand());
     subcommands.add(rescore_subcommand());
+    subcommands.add(lift_subcommand());
     subcommands.add(settings_subcommand());
     subcommands.add(schema_subcommand());
     subcommands.add(manual_subcommand());

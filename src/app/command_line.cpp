@@ -5,6 +5,7 @@
 #include "app/command_line/option_types.h"
 #include "app/command_line/subcommand.h"
 #include "app/process/messages.h"
+#include "persist/experiment/file_dimensions.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -27,7 +28,9 @@ struct Offered {
 
 constexpr const char* kProgram = "cambrian";
 constexpr const char* kSummary =
-    "Cambrian: evolve creatures in two dimensions. Without a subcommand: the studio.";
+    "Cambrian: evolve creatures in two dimensions, and swimmers in three. Without a subcommand: "
+    "the "
+    "studio.";
 
 // Declares all subcommands and options of the program.
 std::vector<Offered> offer_all(CLI::App& app) {
@@ -78,6 +81,27 @@ Status check_names(const CLI::App& app) {
     return {};
 }
 
+// Returns how many dimensions the files of a subcommand have; those that it has not are of no
+// matter.
+Result<int> dimensions_of(const Subcommand& subcommand) {
+    const CommandFiles files = subcommand.files();
+    std::filesystem::path first;
+    int dimensions = 0;
+    for (const std::filesystem::path& input : files.inputs()) {
+        const int own = dimensions_of_file(input);
+        if (own == 3 && !subcommand.works_in_space())
+            return Error{input.string() +
+                         ": lives in three dimensions, in which this command does not work yet; "
+                         "evolve, simulate, verify, render, rescore, export and settings do"};
+        if (dimensions != 0 && own != dimensions)
+            return Error{fmt::format("{} lives in {} dimensions and {} in {}; expected one of both",
+                                     first.string(), dimensions, input.string(), own)};
+        dimensions = own;
+        first = input;
+    }
+    return dimensions == 3 ? 3 : 2;
+}
+
 }  // namespace
 
 Command command_tree() {
@@ -98,7 +122,9 @@ ExitStatus run_command_line(int argc, char** argv) {
     CAMBRIAN_ASSERT(subcommand != nullptr, "the standard subcommand is offered");
     if (const Status named = check_names(app); !named) return fail(named.error());
     if (const Status usable = subcommand->files().check(); !usable) return fail(usable.error());
-    return subcommand->run(builtin_kinds());
+    const Result<int> dimensions = dimensions_of(*subcommand);
+    if (!dimensions) return fail(dimensions.error());
+    return subcommand->run(builtin_kinds(*dimensions));
 }
 
 }  // namespace cambrian

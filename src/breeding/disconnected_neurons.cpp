@@ -87,6 +87,8 @@ private:
         std::vector<Reading> all;
         for (std::size_t node = 0; node < genome_.nodes.size(); ++node) {
             all.push_back({node, &genome_.nodes[node].effector.source});
+            for (DegreeGene& degree : genome_.nodes[node].further)
+                all.push_back({node, &degree.effector.source});
             for (OrganGene& organ : genome_.nodes[node].organs)
                 all.push_back({node, &organ.input.source});
         }

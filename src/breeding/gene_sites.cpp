@@ -29,10 +29,11 @@ std::vector<std::size_t> nodes_with_fewer(const Genome& genome, std::vector<Gene
     return nodes;
 }
 
-// Adds the links of a part into its effector and its organs.
+// Adds the links of a part into its effectors and its organs.
 void add_part_inputs(const Genome& genome, const NeuronListSite& list,
                      std::vector<InputSite>& sites) {
-    sites.push_back({list, InputOwner::kEffector, 0, 0});
+    for (std::size_t degree = 0; degree <= genome.nodes[list.node].further.size(); ++degree)
+        sites.push_back({list, InputOwner::kEffector, degree, 0});
     for (std::size_t organ = 0; organ < genome.nodes[list.node].organs.size(); ++organ)
         sites.push_back({list, InputOwner::kOrgan, organ, 0});
 }
@@ -56,7 +57,7 @@ std::string NeuronSite::in_words() const {
 }
 
 InputGene& InputSite::in(Genome& genome) const {
-    if (owner == InputOwner::kEffector) return genome.nodes[list.node].effector;
+    if (owner == InputOwner::kEffector) return effector_of(genome.nodes[list.node], index);
     if (owner == InputOwner::kOrgan) return OrganGeneSite{list.node, index}.in(genome).input;
     CAMBRIAN_TICK_ASSERT(index < list.in(genome).size(), "a neuron of the list");
     CAMBRIAN_TICK_ASSERT(input < list.in(genome)[index].inputs.size(), "an input of it");
@@ -64,7 +65,9 @@ InputGene& InputSite::in(Genome& genome) const {
 }
 
 std::string InputSite::in_words() const {
-    if (owner == InputOwner::kEffector) return list.in_words() + " effector";
+    if (owner == InputOwner::kEffector)
+        return list.in_words() +
+               (index == 0 ? " effector" : fmt::format(" effector {}", index + 1));
     if (owner == InputOwner::kOrgan) return OrganGeneSite{list.node, index}.in_words();
     return fmt::format("{} input {}", NeuronSite{list, index}.in_words(), input);
 }

@@ -37,11 +37,11 @@ enum class InputOwner : std::uint8_t { kNeuron, kEffector, kOrgan };
 struct InputSite {
     NeuronListSite list;  // neurons of the part or brain that has the link
     InputOwner owner = InputOwner::kNeuron;
-    std::size_t index = 0;  // of the neuron or organ
+    std::size_t index = 0;  // of the neuron, the degree of freedom or the organ
     std::size_t input = 0;  // of a neuron
 
     InputGene& in(Genome& genome) const;
-    // "part 2 neuron 0 input 1", "part 2 effector" or "part 2 organ 0"
+    // "part 2 neuron 0 input 1", "part 2 effector", "part 2 effector 2" or "part 2 organ 0"
     std::string in_words() const;
 };
 

@@ -99,7 +99,7 @@ ComparedRun planned_row(const PlannedRun& run, const EvolutionKinds& kinds) {
     Hash64 hash;
     hash.add(digested_settings(*run.settings, kinds));
     row.settings = hex_text(hash.value());
-    row.simulator = kSimulatorVersion;
+    row.simulator = simulator_version(kinds.creature.scene.dimensions);
     return row;
 }
 

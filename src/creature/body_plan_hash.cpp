@@ -28,6 +28,10 @@ std::uint64_t body_plan_hash(const Phenotype& phenotype) {
             hash.add(child);
         // Rigid parts keep the hash that they had before any part could deform.
         if (parts[i].stretch) hash.add(kDeforms);
+        if (!is_root && parts[i].half_extents.z() > 0.0) {
+            for (std::size_t degree = 0; degree < degrees_of(parts[i]); ++degree)
+                hash.add(std::uint64_t{parts[i].axes[degree]});
+        }
         if (is_root) {
             root = hash.value();
         } else {

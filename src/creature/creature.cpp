@@ -11,14 +11,14 @@ Creature::Creature(const Phenotype& phenotype, const Kinds& kinds, const SceneSe
       settings_(&settings),
       brain_(phenotype.network, kinds.functions),
       sensor_memory_(phenotype.sensors.size(), 0.0),
-      effector_memory_(phenotype.effector_parts.size(), 0.0),
+      effector_memory_(phenotype.effectors.size(), 0.0),
       organ_memory_(phenotype.organs.size(), 0.0) {
     readers_.reserve(phenotype.sensors.size());
-    drivers_.reserve(phenotype.effector_parts.size());
-    for (std::size_t i = 0; i < phenotype.effector_parts.size(); ++i) {
-        const std::size_t part = phenotype.effector_parts[i];
+    drivers_.reserve(phenotype.effectors.size());
+    for (std::size_t i = 0; i < phenotype.effectors.size(); ++i) {
+        const JointDegree& effector = phenotype.effectors[i];
         drivers_.push_back({kinds.effectors[phenotype.effector_kinds[i]].drive,
-                            {phenotype.plan.parts[part], part}});
+                            {phenotype.plan.parts[effector.part], effector}});
     }
     organ_acts_.reserve(phenotype.organs.size());
     parameter_counts_.reserve(phenotype.organs.size());
@@ -44,9 +44,9 @@ void Creature::reset() {
 
 SensorSite Creature::site_of(const WiredSensor& sensor, const BodyView& body,
                              const Surroundings& surroundings, double share) const {
-    return {body,        surroundings,   phenotype_->plan.parts[sensor.part],
-            sensor.part, sensor.channel, sensor.handedness,
-            share};
+    return {body,        surroundings,     phenotype_->plan.parts[sensor.part],
+            sensor.part, sensor.channel,   sensor.handedness,
+            share,       sensor.depth_sign};
 }
 
 // Computes what is the same in every tick of the same scene and length.
@@ -114,8 +114,8 @@ void Creature::use_organs(PhysicsScene& scene, double dt) {
 }
 
 void Creature::hold_rest(PhysicsScene& scene) const {
-    for (const std::size_t part : phenotype_->effector_parts)
-        scene.set_target(part, 0.0);
+    for (const JointDegree& effector : phenotype_->effectors)
+        scene.set_target(effector, 0.0);
     for (const GrownOrgan& organ : phenotype_->organs)
         scene.set_stretch_target(organ.part, 0.0);
 }

@@ -79,8 +79,8 @@ private:
     Brain brain_;
     std::vector<Reader> readers_;                // one per wired sensor; built in the first tick
     std::vector<double> sensor_memory_;          // one per wired sensor
-    std::vector<Driver> drivers_;                // one per effector part
-    std::vector<double> effector_memory_;        // one per effector part
+    std::vector<Driver> drivers_;                // one per effector
+    std::vector<double> effector_memory_;        // one per effector
     std::vector<OrganKind::Act> organ_acts_;     // one per organ
     std::vector<std::size_t> parameter_counts_;  // one per organ
     std::vector<double> organ_memory_;           // one per organ

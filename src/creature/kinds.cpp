@@ -36,6 +36,7 @@ OrganEntry catalog_entry(const OrganKind& organ) {
 Kinds make_kinds(NeuronFunctionRegistry functions, SensorRegistry sensors,
                  EffectorRegistry effectors, OrganRegistry organs, SceneKind scene) {
     KindCatalog catalog;
+    catalog.dimensions = scene.dimensions;
     for (const NeuronFunctionKind& function : functions.all())
         catalog.functions.push_back(catalog_entry(function));
     for (const JointKind& joint : scene.joints.all())
@@ -48,8 +49,9 @@ Kinds make_kinds(NeuronFunctionRegistry functions, SensorRegistry sensors,
         for (const SensorChannel& channel : sensor.channels)
             catalog.channels.push_back({channel.id, channel.label, sensor.usual, sensor.group});
     }
-    return {std::move(functions), std::move(sensors), std::move(effectors),
-            std::move(organs),    std::move(scene),   std::move(catalog)};
+    const Placement& placement = scene.dimensions == 3 ? spatial_placement() : planar_placement();
+    return {std::move(functions), std::move(sensors), std::move(effectors), std::move(organs),
+            std::move(scene),     placement,          std::move(catalog)};
 }
 
 }  // namespace cambrian

@@ -4,6 +4,7 @@
 // afterwards they are shared by const reference.
 
 #include "brain/neuron_function.h"
+#include "creature/placement.h"
 #include "effectors/effector.h"
 #include "genome/kind_catalog.h"
 #include "organs/organ.h"
@@ -18,6 +19,7 @@ struct Kinds {
     EffectorRegistry effectors;
     OrganRegistry organs;
     SceneKind scene;
+    Placement placement;  // of parts at each other, in as many dimensions as the scene
     KindCatalog catalog;  // the kinds of the registries above, as genes use them
 };
 

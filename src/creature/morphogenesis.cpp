@@ -39,7 +39,9 @@ public:
            const SceneSettings& scene, Side side, Phenotype& phenotype)
         : genome_(genome),
           scene_kind_(kinds.scene),
+          placement_(kinds.placement),
           organs_(kinds.organs),
+          is_spatial_(kinds.scene.dimensions == 3),
           settings_(settings),
           scene_(scene),
           motor_mode_(mode_of(scene.motor_mode)),
@@ -60,14 +62,17 @@ private:
 
     const NodeGene& gene(const BodyPart& part) const { return genome_.nodes[part.node]; }
 
+    static Vec3 size_of(const BodyPart& part) { return {part.length, part.width, part.thickness}; }
+    static MirrorSigns signs_of(const BodyPart& part) { return {part.handedness, part.depth_sign}; }
+
     Bud root() const {
         const NodeGene& node = genome_.nodes[0];
         Bud bud;
         bud.part.length = node.length;
         bud.part.width = node.width;
+        if (is_spatial_) bud.part.thickness = node.depth;
         if (is_mirrored_) bud.part.handedness = -1;
-        bud.body = place_root(node.length, node.width,
-                              is_mirrored_ ? kPi - genome_.root_angle : genome_.root_angle);
+        bud.body = placement_.place_root(size_of(bud.part), genome_, is_mirrored_);
         bud.growing.occurrences[0] = 1;
         return bud;
     }
@@ -108,8 +113,11 @@ private:
             if (partner < edges.size()) {
                 paired[partner] = true;
                 buds.push_back(bud(parent, *edges[partner], edges[i]->scale,
-                                   mirrored(place, target.mirror_axis)));
-                buds.back().part.handedness *= -1;
+                                   placement_.mirrored(place, target.mirror_axis)));
+                BodyPart& image = buds.back().part;
+                const MirrorSigns signs = placement_.flipped(signs_of(image), target.mirror_axis);
+                image.handedness = signs.across;
+                image.depth_sign = signs.depth;
             }
             try_add(buds);
         }
@@ -124,8 +132,7 @@ private:
     }
 
     Attachment attachment_of(std::size_t parent, const EdgeGene& edge) const {
-        const BodyPart& part = phenotype_.parts[parent];
-        return attachment(edge, part.length, part.width);
+        return placement_.attachment(edge, size_of(phenotype_.parts[parent]));
     }
 
     Bud bud(std::size_t parent, const EdgeGene& edge, double scale, const Attachment& place) const {
@@ -144,8 +151,12 @@ private:
                                      gene_range::kMaxLength);
         bud.part.width =
             std::clamp(bud.growing.scale * node.width, gene_range::kMinSize, gene_range::kMaxWidth);
-        bud.body = place_child(phenotype_.plan.parts[parent], from.handedness, place,
-                               bud.part.length, bud.part.width);
+        bud.part.depth_sign = from.depth_sign * (edge.reflect_depth ? -1 : 1);
+        if (is_spatial_)
+            bud.part.thickness = std::clamp(bud.growing.scale * node.depth, gene_range::kMinSize,
+                                            gene_range::kMaxWidth);
+        bud.body = placement_.place_child(phenotype_.plan.parts[parent], signs_of(from), place,
+                                          size_of(bud.part));
         return bud;
     }
 
@@ -153,7 +164,8 @@ private:
     void try_add(std::span<const Bud> buds) {
         if (!has_room(buds)) return;
         for (std::size_t i = 0; i < buds.size(); ++i) {
-            if (buried(buds[i]) || (i > 0 && is_buried(buds[i].body, buds[0].body))) return;
+            if (buried(buds[i]) || (i > 0 && placement_.is_buried(buds[i].body, buds[0].body)))
+                return;
         }
         for (const Bud& bud : buds)
             add(bud);
@@ -171,7 +183,7 @@ private:
     bool buried(const Bud& bud) const {
         for (std::size_t i = 0; i < phenotype_.parts.size(); ++i) {
             const bool is_parent = static_cast<int>(i) == bud.part.parent;
-            if (!is_parent && is_buried(bud.body, phenotype_.plan.parts[i])) return true;
+            if (!is_parent && placement_.is_buried(bud.body, phenotype_.plan.parts[i])) return true;
         }
         return false;
     }
@@ -197,14 +209,18 @@ private:
                              "a joint that moves has a shape");
         body.motor_mode = motor_mode_;
         if (joint.motion == JointMotion::kFixed) return;
-        const double parent_width = phenotype_.parts[static_cast<std::size_t>(part.parent)].width;
-        joint.shape({.limit_low = node.limit_low,
-                     .limit_high = node.limit_high,
-                     .length = part.length,
-                     .width = std::fmin(part.width, parent_width),
-                     .handedness = part.handedness,
-                     .muscle_strength = scene_.muscle_strength},
-                    body);
+        const BodyPart& parent = phenotype_.parts[static_cast<std::size_t>(part.parent)];
+        JointGenes genes{.limit_low = node.limit_low,
+                         .limit_high = node.limit_high,
+                         .length = part.length,
+                         .width = std::fmin(part.width, parent.width),
+                         .handedness = part.handedness,
+                         .muscle_strength = scene_.muscle_strength,
+                         .depth = std::fmin(part.thickness, parent.thickness),
+                         .depth_sign = part.depth_sign};
+        for (std::size_t i = 0; i < node.further.size(); ++i)
+            genes.further_limits[i] = {node.further[i].limit_low, node.further[i].limit_high};
+        joint.shape(genes, body);
         CAMBRIAN_TICK_ASSERT(body.limit_low <= body.limit_high && body.max_effort >= 0.0,
                              "stops in order and some strength");
     }
@@ -226,7 +242,9 @@ private:
 
     const Genome& genome_;
     const SceneKind& scene_kind_;
+    const Placement& placement_;
     const OrganRegistry& organs_;
+    bool is_spatial_;
     const ExpressionSettings& settings_;
     const SceneSettings& scene_;
     MotorMode motor_mode_;

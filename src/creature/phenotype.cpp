@@ -10,14 +10,16 @@
 namespace cambrian {
 
 double Phenotype::mass(double density) const {
-    double area = 0.0;
-    for (const BodyPart& part : parts)
-        area += part.length * part.width;
-    return density * area;
+    double size = 0.0;  // m^2, or m^3 in space
+    for (const BodyPart& part : parts) {
+        const double area = part.length * part.width;
+        size += part.thickness > 0.0 ? area * part.thickness : area;
+    }
+    return density * size;
 }
 
 bool Phenotype::can_move() const {
-    return !effector_parts.empty() || deformers() > 0;
+    return !effectors.empty() || deformers() > 0;
 }
 
 std::size_t Phenotype::deformers() const {
@@ -29,8 +31,11 @@ double Phenotype::rest_length() const {
     std::vector<Vec3> corners;
     for (const PlannedPart& part : plan.parts) {
         for (const double x : {-part.half_extents.x(), part.half_extents.x()}) {
-            for (const double y : {-part.half_extents.y(), part.half_extents.y()})
-                corners.push_back(transform(part.rest_pose, Vec3(x, y, 0.0)));
+            for (const double y : {-part.half_extents.y(), part.half_extents.y()}) {
+                const double z = part.half_extents.z();
+                corners.push_back(transform(part.rest_pose, Vec3(x, y, z)));
+                if (z > 0.0) corners.push_back(transform(part.rest_pose, Vec3(x, y, -z)));
+            }
         }
     }
     double greatest = 0.0;  // m^2

@@ -33,6 +33,8 @@ struct BodyPart {
     int handedness = 1;   // -1 for mirrored parts
     double length = 0.0;  // m, after scaling
     double width = 0.0;
+    double thickness = 0.0;          // m, the size in depth; 0 in the plane
+    int depth_sign = 1;              // -1 for parts whose front and back are exchanged
     std::uint32_t first_neuron = 0;  // index of its first neuron in the network
     std::uint32_t neuron_count = 0;
 };
@@ -46,6 +48,7 @@ struct WiredSensor {
     // Handedness of the part; +1 for a sliding joint, whose sign mirroring does not change.
     int handedness = 1;
     double scale = 1.0;  // 1 / length of the part for a sliding joint, otherwise 1
+    int depth_sign = 1;  // of the part
 };
 
 // An organ of a part.
@@ -68,11 +71,11 @@ struct Phenotype {
     std::vector<BodyPart> parts;
     BodyPlan plan;  // plan.parts[i] is the body of parts[i]
     std::vector<WiredSensor> sensors;
-    // Output j drives the joint of part effector_parts[j]. Its weight is that of the effector gene,
-    // with the opposite sign for mirrored parts. For sliding joints it also converts from lengths
-    // of the part to m.
+    // Output j drives the degree of freedom effectors[j]. Its weight is that of the effector gene,
+    // with the opposite sign where mirroring turns it. For sliding joints it also converts from
+    // lengths of the part to m.
     Network network;
-    std::vector<std::uint16_t> effector_parts;  // parts whose joint moves, in part order
+    std::vector<JointDegree> effectors;        // what moves of joints, in part order
     std::vector<std::uint8_t> effector_kinds;  // index into the effector registry, one per effector
     std::vector<GrownOrgan> organs;  // in part order; their outputs follow those of the effectors
     std::uint32_t first_brain_neuron = 0;  // central neurons follow those of the parts
@@ -84,7 +87,7 @@ struct Phenotype {
     bool has_live_control = false;
     bool sees = false;  // whether a sensor reads light
 
-    double mass(double density) const;  // kg
+    double mass(double density) const;  // kg, with a density per area or, in space, volume
     double rest_length() const;         // m, greatest distance between two corners at rest
 };
 

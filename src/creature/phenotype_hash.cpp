@@ -27,6 +27,15 @@ void add_part(Hash64& hash, const PlannedPart& part) {
     for (const double number : {part.limit_low, part.limit_high, part.max_effort})
         hash.add(number);
     add_integer(hash, static_cast<std::int64_t>(part.motor_mode));
+    // Parts of the plane keep the hash that they had before there were others.
+    if (part.half_extents.z() > 0.0) {
+        for (std::size_t degree = 0; degree < degrees_of(part); ++degree) {
+            add_integer(hash, part.axes[degree]);
+            const DegreeLimits limits = limits_of(part, degree);
+            for (const double number : {limits.low, limits.high, limits.max_effort})
+                hash.add(number);
+        }
+    }
     if (!part.stretch) return;
     for (const double number : {part.stretch->low, part.stretch->high, part.stretch->max_effort,
                                 part.stretch->rate_limit})
@@ -38,6 +47,7 @@ void add_sensor(Hash64& hash, const WiredSensor& sensor) {
         add_integer(hash, number);
     add_integer(hash, sensor.handedness);
     hash.add(sensor.scale);
+    if (sensor.depth_sign != 1) add_integer(hash, sensor.depth_sign);
 }
 
 // Adds connected neurons to the hash, numbered in the order of evaluation.
@@ -86,8 +96,8 @@ std::uint64_t phenotype_hash(const Phenotype& phenotype) {
         add_sensor(hash, sensor);
     hash.add(std::uint64_t{phenotype.network.order.size()});
     NetworkReader(phenotype.network, hash).read();
-    for (const std::uint16_t part : phenotype.effector_parts)
-        add_integer(hash, part);
+    for (const JointDegree& effector : phenotype.effectors)
+        add_integer(hash, effector.part);
     // The first kind adds nothing, so that hashes of creatures with it stay as in earlier versions.
     for (std::size_t i = 0; i < phenotype.effector_kinds.size(); ++i) {
         if (phenotype.effector_kinds[i] == 0) continue;

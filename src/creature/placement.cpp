@@ -33,9 +33,13 @@ PlannedPart box(const Vec2& center, double angle, double length, double width) {
     return part;
 }
 
-}  // namespace
+Attachment attachment_of(const Vec2& point, double angle) {
+    return {Vec3(point.x(), point.y(), 0.0), angle};
+}
 
-Attachment attachment(const EdgeGene& edge, double parent_length, double parent_width) {
+Attachment attachment(const EdgeGene& edge, const Vec3& parent_size) {
+    const double parent_length = parent_size.x();
+    const double parent_width = parent_size.y();
     const double walked = 4.0 * edge.position;
     const auto face = static_cast<Face>(std::min(static_cast<int>(walked), 3));
     const double along = (walked - static_cast<double>(face) - 0.5) * kFaceShare;
@@ -43,34 +47,41 @@ Attachment attachment(const EdgeGene& edge, double parent_length, double parent_
     const double half_width = 0.5 * parent_width;
     switch (face) {
         case Face::kDistal:
-            return {{half_length, along * parent_width}, edge.angle};
+            return attachment_of({half_length, along * parent_width}, edge.angle);
         case Face::kLeft:
-            return {{along * parent_length, half_width}, 0.5 * kPi + edge.angle};
+            return attachment_of({along * parent_length, half_width}, 0.5 * kPi + edge.angle);
         case Face::kProximal:
-            return {{-half_length, along * parent_width}, kPi + edge.angle};
+            return attachment_of({-half_length, along * parent_width}, kPi + edge.angle);
         case Face::kRight:
             break;
     }
-    return {{along * parent_length, -half_width}, -0.5 * kPi + edge.angle};
+    return attachment_of({along * parent_length, -half_width}, -0.5 * kPi + edge.angle);
 }
 
 Attachment mirrored(const Attachment& original, MirrorAxis axis) {
-    const Vec2& p = original.point;
-    if (axis == MirrorAxis::kAlong) return {{p.x(), -p.y()}, -original.angle};
-    return {{-p.x(), p.y()}, kPi - original.angle};
+    const Vec3& p = original.point;
+    if (axis == MirrorAxis::kAlong) return attachment_of({p.x(), -p.y()}, -original.angle);
+    return attachment_of({-p.x(), p.y()}, kPi - original.angle);
 }
 
-PlannedPart place_root(double length, double width, double angle) {
-    return box(Vec2::Zero(), angle, length, width);
+MirrorSigns flipped(const MirrorSigns& signs, MirrorAxis /*axis*/) {
+    return {-signs.across, signs.depth};
 }
 
-PlannedPart place_child(const PlannedPart& parent, int parent_handedness,
-                        const Attachment& attachment, double length, double width) {
+PlannedPart place_root(const Vec3& size, const Genome& genome, bool mirrored) {
+    const double angle = mirrored ? kPi - genome.root_angle : genome.root_angle;
+    return box(Vec2::Zero(), angle, size.x(), size.y());
+}
+
+PlannedPart place_child(const PlannedPart& parent, const MirrorSigns& parent_signs,
+                        const Attachment& attachment, const Vec3& size) {
+    const int parent_handedness = parent_signs.across;
     CAMBRIAN_TICK_ASSERT(parent_handedness == 1 || parent_handedness == -1, "a handedness");
+    const double length = size.x();
     const Vec2 local(attachment.point.x(), parent_handedness * attachment.point.y());
     const Vec2 anchor = parent.rest_pose.position.head<2>() + rotated(local, parent.rest_angle);
     const double angle = parent.rest_angle + parent_handedness * attachment.angle;
-    PlannedPart part = box(anchor + 0.5 * length * direction(angle), angle, length, width);
+    PlannedPart part = box(anchor + 0.5 * length * direction(angle), angle, length, size.y());
     part.anchor_in_parent = {local.x(), local.y(), 0.0};
     return part;
 }
@@ -82,6 +93,14 @@ bool is_buried(const PlannedPart& part, const PlannedPart& other) {
     return std::fabs(local.x()) < kBurialShare * other.half_extents.x() &&
            std::fabs(local.y()) < kBurialShare * other.half_extents.y() &&
            std::fabs(tilt) < sine(kBurialAngle);
+}
+
+}  // namespace
+
+const Placement& planar_placement() {
+    static const Placement placement = {attachment, mirrored,    flipped,
+                                        place_root, place_child, is_buried};
+    return placement;
 }
 
 }  // namespace cambrian

@@ -1,37 +1,51 @@
 #pragma once
 
-// The planar geometry of attaching a part to another (creature/README.md 2, 4). A version in three
-// dimensions would replace only this file of morphogenesis.
+// The geometry of attaching a part to another, in the plane or in space (creature/README.md 2, 4,
+// 10). Growth knows nothing else of it.
 
-#include "genome/gene.h"
+#include "genome/genome.h"
 #include "math/types.h"
 #include "world/body_plan.h"
 
 namespace cambrian {
 
-// The point and direction at which a child is attached, in the parent's frame before mirroring.
-struct Attachment {
-    Vec2 point = Vec2::Zero();  // m
-    double angle = 0.0;         // rad, direction of the child's long axis
+// The signs of a part's sides y and z, which mirroring flips.
+struct MirrorSigns {
+    int across = 1;  // handedness: left and right
+    int depth = 1;   // front and back; 1 in the plane
+
+    friend bool operator==(const MirrorSigns&, const MirrorSigns&) = default;
 };
 
-// Returns the attachment on the outline of a parent of the given size (m).
-Attachment attachment(const EdgeGene& edge, double parent_length, double parent_width);
+// The place and direction at which a child is attached, in the parent's frame before mirroring.
+struct Attachment {
+    Vec3 point = Vec3::Zero();  // m
+    double angle = 0.0;         // rad, in the plane: direction of the child's long axis
+    // In space: the child's attitude.
+    Rotation attitude = Rotation::Identity();
+};
 
-// Returns the attachment of the mirror partner.
-Attachment mirrored(const Attachment& original, MirrorAxis axis);
+// The mirror images and places of one space. Sizes are length, width and depth in m.
+struct Placement {
+    // Returns the attachment on a parent of the given size.
+    Attachment (*attachment)(const EdgeGene& edge, const Vec3& parent_size) = nullptr;
+    // Returns the attachment of the mirror partner.
+    Attachment (*mirrored)(const Attachment& original, MirrorAxis axis) = nullptr;
+    // Returns the signs of the mirror partner.
+    MirrorSigns (*flipped)(const MirrorSigns& signs, MirrorAxis axis) = nullptr;
+    // Returns the root, centred at the origin, in the attitude of its genes or its mirror image
+    // from left to right.
+    PlannedPart (*place_root)(const Vec3& size, const Genome& genome, bool mirrored) = nullptr;
+    // Returns a child of the given size at rest, with poses and anchors. The signs are the
+    // parent's.
+    PlannedPart (*place_child)(const PlannedPart& parent, const MirrorSigns& parent_signs,
+                               const Attachment& attachment, const Vec3& size) = nullptr;
+    // Returns whether a part lies inside another and almost parallel to it: its centre is within
+    // the middle 70 % in all directions, and the long axes differ by less than 17 degrees.
+    bool (*is_buried)(const PlannedPart& part, const PlannedPart& other) = nullptr;
+};
 
-// Returns the root of the given size (m), centred at the origin, with its long axis at the angle
-// (rad).
-PlannedPart place_root(double length, double width, double angle);
-
-// Returns a child of the given size at rest, with poses and anchors. The handedness is the
-// parent's.
-PlannedPart place_child(const PlannedPart& parent, int parent_handedness,
-                        const Attachment& attachment, double length, double width);
-
-// Returns whether a part lies inside another and almost parallel to it: its centre is within the
-// middle 70 % in both directions, and the long axes differ by less than 17 degrees.
-bool is_buried(const PlannedPart& part, const PlannedPart& other);
+const Placement& planar_placement();
+const Placement& spatial_placement();
 
 }  // namespace cambrian

@@ -32,7 +32,7 @@ public:
         compile(network_, kinds_.functions);
         keep_heard_sensors();
         CAMBRIAN_TICK_ASSERT(
-            network_.outputs.size() == phenotype_.effector_parts.size() + phenotype_.organs.size(),
+            network_.outputs.size() == phenotype_.effectors.size() + phenotype_.organs.size(),
             "an output an effector and an organ");
         CAMBRIAN_TICK_ASSERT(network_.sensor_count == phenotype_.sensors.size(), "a slot a sensor");
         phenotype_.has_live_control = hears_more_than_constants();
@@ -82,13 +82,18 @@ private:
             const PlannedPart& body = phenotype_.plan.parts[i];
             if (body.motion == JointMotion::kFixed) continue;
             const BodyPart& part = phenotype_.parts[i];
-            const double to_joint = body.motion == JointMotion::kSlide
-                                        ? part.length
-                                        : static_cast<double>(part.handedness);
-            const InputGene& effector = gene(i).effector;
-            phenotype_.effector_parts.push_back(static_cast<std::uint16_t>(i));
-            phenotype_.effector_kinds.push_back(gene(i).effector_kind);
-            network_.outputs.push_back({resolve(effector.source, i), to_joint * effector.weight});
+            for (std::size_t degree = 0; degree < degrees_of(body); ++degree) {
+                const double to_joint =
+                    body.motion == JointMotion::kSlide
+                        ? part.length
+                        : turn_sign(body.axes[degree], part.handedness, part.depth_sign);
+                const InputGene& effector = effector_of(gene(i), degree);
+                phenotype_.effectors.push_back(
+                    {static_cast<std::uint16_t>(i), static_cast<std::uint8_t>(degree)});
+                phenotype_.effector_kinds.push_back(gene(i).effector_kind);
+                network_.outputs.push_back(
+                    {resolve(effector.source, i), to_joint * effector.weight});
+            }
         }
     }
 
@@ -177,6 +182,7 @@ private:
             channel -= kinds_.sensors[sensor.kind++].channels.size();
         sensor.channel = static_cast<std::uint8_t>(channel);
         sensor.handedness = phenotype_.parts[part].handedness;
+        sensor.depth_sign = phenotype_.parts[part].depth_sign;
         const bool sliding = part > 0 && phenotype_.plan.parts[part].motion == JointMotion::kSlide;
         if (sliding && kinds_.sensors[sensor.kind].reads_joint) {
             sensor.handedness = 1;
@@ -225,7 +231,7 @@ private:
                 all = all && constant[neuron.inputs[i].slot];
             constant[network_.neuron_slot(index)] = all;
         }
-        const std::size_t effectors = phenotype_.effector_parts.size();
+        const std::size_t effectors = phenotype_.effectors.size();
         for (std::size_t i = 0; i < network_.outputs.size(); ++i) {
             const bool moves = i < effectors || phenotype_.organs[i - effectors].deforms;
             if (moves && !constant[network_.outputs[i].slot]) return true;

@@ -82,9 +82,9 @@ public:
     Vec3 part_center(std::size_t part) const override;
     Vec3 part_axis(std::size_t part) const override;
     Twist part_twist(std::size_t part) const override;
-    double joint_coordinate(std::size_t part) const override;
-    double joint_rate(std::size_t part) const override;
-    double joint_effort(std::size_t part) const override;
+    double joint_coordinate(const JointDegree& degree) const override;
+    double joint_rate(const JointDegree& degree) const override;
+    double joint_effort(const JointDegree& degree) const override;
     double stretch(std::size_t part) const override;
     double stretch_rate(std::size_t part) const override;
     double stretch_effort(std::size_t part) const override;
@@ -103,10 +103,10 @@ public:
     Bounds bounds() const override;
     double lowest_point() const override;
 
-    void list_joint_coordinates(std::span<const std::uint16_t> parts,
+    void list_joint_coordinates(std::span<const JointDegree> degrees,
                                 std::span<double> coordinates) const override;
-    void set_target(std::size_t part, double target) override;
-    double target(std::size_t part) const override;
+    void set_target(const JointDegree& degree, double target) override;
+    double target(const JointDegree& degree) const override;
     double largest_target_change() const override;
     void set_stretch_target(std::size_t part, double target) override;
     SceneStatus advance(double duration) override;
@@ -145,7 +145,9 @@ public:
 private:
     Vec3 mean_of_trees(const PerCoordinate& coordinates) const;
     // The body with the joint of this part, or -1 if the part is a root or has a rigid joint.
-    int joint_of(std::size_t part) const { return body().model.part_joint[checked(part)]; }
+    int joint_of(const JointDegree& degree) const {
+        return degree.degree == 0 ? body().model.part_joint[checked(degree.part)] : -1;
+    }
     std::size_t checked(std::size_t part) const {
         CAMBRIAN_ASSERT(part < part_count(), "part index in range");
         return part;
@@ -264,30 +266,30 @@ Twist PlanarScene::part_twist(std::size_t part) const {
             Vec3(0.0, 0.0, k.spin[b])};
 }
 
-double PlanarScene::joint_coordinate(std::size_t part) const {
-    const int joint = joint_of(part);
+double PlanarScene::joint_coordinate(const JointDegree& degree) const {
+    const int joint = joint_of(degree);
     return joint < 0 ? 0.0 : body().state.cache().kinematics.joint_position[joint];
 }
 
-void PlanarScene::list_joint_coordinates(std::span<const std::uint16_t> parts,
+void PlanarScene::list_joint_coordinates(std::span<const JointDegree> degrees,
                                          std::span<double> coordinates) const {
-    CAMBRIAN_ASSERT(coordinates.size() == parts.size(), "a place for each coordinate");
+    CAMBRIAN_ASSERT(coordinates.size() == degrees.size(), "a place for each coordinate");
     const PerBody& positions = body().state.cache().kinematics.joint_position;
     double* coordinate = coordinates.data();
-    for (const std::uint16_t part : parts) {
-        const int joint = joint_of(part);
+    for (const JointDegree& degree : degrees) {
+        const int joint = joint_of(degree);
         *coordinate++ = joint < 0 ? 0.0 : positions[joint];
     }
 }
 
-double PlanarScene::joint_rate(std::size_t part) const {
-    const int joint = joint_of(part);
+double PlanarScene::joint_rate(const JointDegree& degree) const {
+    const int joint = joint_of(degree);
     if (joint < 0) return 0.0;
     return body().state.cache().kinematics.joint_rate[joint];
 }
 
-double PlanarScene::joint_effort(std::size_t part) const {
-    const int joint = joint_of(part);
+double PlanarScene::joint_effort(const JointDegree& degree) const {
+    const int joint = joint_of(degree);
     return joint < 0 ? 0.0 : body().state.cache().motor_effort[joint];
 }
 
@@ -361,8 +363,8 @@ double PlanarScene::lowest_point() const {
     return -largest_of(-low);
 }
 
-void PlanarScene::set_target(std::size_t part, double target) {
-    set_slot_target(joint_of(part), target);
+void PlanarScene::set_target(const JointDegree& degree, double target) {
+    set_slot_target(joint_of(degree), target);
 }
 
 void PlanarScene::set_stretch_target(std::size_t part, double target) {
@@ -381,8 +383,8 @@ void PlanarScene::set_slot_target(int slot, double target) {
     own.state.drive_end[slot] = reached;
 }
 
-double PlanarScene::target(std::size_t part) const {
-    const int joint = joint_of(part);
+double PlanarScene::target(const JointDegree& degree) const {
+    const int joint = joint_of(degree);
     return joint < 0 ? 0.0 : body().state.drive_end[joint];
 }
 

@@ -13,10 +13,10 @@
 
 namespace cambrian {
 
-// The part that an effector belongs to.
+// The part that an effector belongs to, and the degree of freedom of its joint that it drives.
 struct EffectorSite {
     const PlannedPart& part;
-    std::size_t index;
+    JointDegree joint;
 };
 
 // Returns the share of the way to its target that a smoothed value moves in dt (s).

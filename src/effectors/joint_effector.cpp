@@ -11,8 +11,8 @@ namespace cambrian {
 namespace {
 
 // Returns the target in the unit of the motor mode.
-double motor_target(const PlannedPart& part, double signal, const SceneSettings& settings) {
-    switch (part.motor_mode) {
+double motor_target(const EffectorSite& site, double signal, const SceneSettings& settings) {
+    switch (site.part.motor_mode) {
         case MotorMode::kVelocity:
             return std::clamp(signal, -settings.motor_speed_limit, settings.motor_speed_limit);
         case MotorMode::kTorque:
@@ -20,14 +20,15 @@ double motor_target(const PlannedPart& part, double signal, const SceneSettings&
         case MotorMode::kPosition:
             break;
     }
-    return std::clamp(signal, part.limit_low, part.limit_high);
+    const DegreeLimits limits = limits_of(site.part, site.joint.degree);
+    return std::clamp(signal, limits.low, limits.high);
 }
 
 void drive_joint(const EffectorSite& site, double signal, double share,
                  const SceneSettings& settings, double& memory, PhysicsScene& scene) {
-    const double target = motor_target(site.part, signal, settings);
+    const double target = motor_target(site, signal, settings);
     memory += (target - memory) * share;
-    scene.set_target(site.index, memory);
+    scene.set_target(site.joint, memory);
 }
 
 }  // namespace

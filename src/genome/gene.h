@@ -24,7 +24,7 @@ inline constexpr int kMaxRecursion = 6;
 inline constexpr int kMaxReference = 15;  // k, e, n, i
 inline constexpr double kMinSize = 0.08;
 inline constexpr double kMaxLength = 1.6;
-inline constexpr double kMaxWidth = 0.96;
+inline constexpr double kMaxWidth = 0.96;  // and depth
 inline constexpr double kMinLimit = 0.05;
 inline constexpr double kMaxLimit = 2.6;
 inline constexpr double kMaxWeight = 4.0;
@@ -91,11 +91,25 @@ struct EdgeGene {
     double scale = 1.0;          // [0.4, 1.5]; multiplies the child's subtree
     bool reflect = false;        // flips handedness of the child's subtree
     bool terminal_only = false;  // edge is followed only where recursion has ended
+    // The following are genes of space only (genome/README.md 6).
+    double height = 0.0;         // [-1, 1] between the parent's back and front
+    double tilt = 0.0;           // [-1.4, 1.4] about the child's y axis
+    double roll = 0.0;           // [-pi, pi) about the child's long axis
+    bool reflect_depth = false;  // exchanges front and back of the child's subtree
 
     friend bool operator==(const EdgeGene&, const EdgeGene&) = default;
 };
 
-enum class MirrorAxis : std::uint8_t { kAlong, kAcross };
+enum class MirrorAxis : std::uint8_t { kAlong, kAcross, kDepth };  // the last one in space only
+
+// A degree of freedom of a joint in space besides the first.
+struct DegreeGene {
+    double limit_low = -1.0;  // [-2.6, -0.05]
+    double limit_high = 1.0;  // [0.05, 2.6]
+    InputGene effector = {.source = {}, .weight = 0.0};
+
+    friend bool operator==(const DegreeGene&, const DegreeGene&) = default;
+};
 
 struct NodeGene {
     double length = 0.5;      // [0.08, 1.6]
@@ -111,10 +125,20 @@ struct NodeGene {
     std::vector<OrganGene> organs;   // 0 to 3
     std::vector<NeuronGene> neurons;
     std::vector<EdgeGene> edges;
-    std::uint32_t uid = 0;  // kept in copies; used only for display and alignment
+    double depth = 0.2;               // [0.08, 0.96]; of space only
+    std::vector<DegreeGene> further;  // as many as the joint has degrees of freedom but one
+    std::uint32_t uid = 0;            // kept in copies; used only for display and alignment
 
     // uid is not compared: it has no effect on the phenotype.
     friend bool operator==(const NodeGene& a, const NodeGene& b);
 };
+
+// Returns what drives a degree of freedom of a node's joint.
+inline InputGene& effector_of(NodeGene& node, std::size_t degree) {
+    return degree == 0 ? node.effector : node.further[degree - 1].effector;
+}
+inline const InputGene& effector_of(const NodeGene& node, std::size_t degree) {
+    return degree == 0 ? node.effector : node.further[degree - 1].effector;
+}
 
 }  // namespace cambrian

@@ -70,6 +70,25 @@ void add_node(Hash64& hash, const NodeGene& node) {
         add_edge(hash, edge);
 }
 
+// Nothing of the plane, so that its hashes stay.
+void add_space(Hash64& hash, const Genome& genome) {
+    add_real(hash, genome.root_tilt);
+    add_real(hash, genome.root_roll);
+    for (const NodeGene& node : genome.nodes) {
+        add_real(hash, node.depth);
+        for (const DegreeGene& degree : node.further) {
+            add_real(hash, degree.limit_low);
+            add_real(hash, degree.limit_high);
+            add_input(hash, degree.effector);
+        }
+        for (const EdgeGene& edge : node.edges) {
+            for (const double number : {edge.height, edge.tilt, edge.roll})
+                add_real(hash, number);
+            hash.add_byte(edge.reflect_depth ? 1 : 0);
+        }
+    }
+}
+
 }  // namespace
 
 bool operator==(const NodeGene& a, const NodeGene& b) {
@@ -78,12 +97,13 @@ bool operator==(const NodeGene& a, const NodeGene& b) {
            a.recursion_limit == b.recursion_limit && a.symmetric == b.symmetric &&
            a.mirror_axis == b.mirror_axis && a.effector_kind == b.effector_kind &&
            a.effector == b.effector && a.organs == b.organs && a.neurons == b.neurons &&
-           a.edges == b.edges;
+           a.edges == b.edges && a.depth == b.depth && a.further == b.further;
 }
 
 bool operator==(const Genome& a, const Genome& b) {
     return a.nodes == b.nodes && a.brain == b.brain && a.root_angle == b.root_angle &&
-           a.reproduction == b.reproduction;
+           a.reproduction == b.reproduction && a.root_tilt == b.root_tilt &&
+           a.root_roll == b.root_roll && a.dimensions == b.dimensions;
 }
 
 std::uint64_t genome_hash(const Genome& genome) {
@@ -94,7 +114,16 @@ std::uint64_t genome_hash(const Genome& genome) {
     add_neurons(hash, genome.brain);
     add_real(hash, genome.root_angle);
     hash.add_byte(genome.reproduction);
+    if (genome.dimensions == 3) add_space(hash, genome);
     return hash.value();
+}
+
+Genome lifted(const Genome& planar, double depth) {
+    Genome genome = planar;
+    genome.dimensions = 3;
+    for (NodeGene& node : genome.nodes)
+        node.depth = depth > 0.0 ? depth : node.width;
+    return genome;
 }
 
 }  // namespace cambrian

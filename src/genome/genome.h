@@ -18,6 +18,9 @@ struct Genome {
     std::vector<NodeGene> nodes;               // 1 to 16; nodes[0] is the root
     std::vector<NeuronGene> brain;             // central neurons, 0 to 16
     double root_angle = 0.0;                   // rad, [-pi, pi)
+    double root_tilt = 0.0;                    // rad, [-pi/2, pi/2]; of space only
+    double root_roll = 0.0;                    // rad, [-pi, pi); of space only
+    int dimensions = 2;                        // of the space its body lives in: 2 or 3
     std::uint8_t reproduction = kNoOwnMethod;  // index into KindCatalog::reproductions
     // The following fields are not expressed.
     double hue = 0.0;  // [0, 1), display colour
@@ -36,6 +39,11 @@ std::uint64_t genome_hash(const Genome& genome);
 // Returns all faults, one sentence each, with places like JSON pointers; empty if valid
 // (genome/README.md 3).
 std::vector<std::string> validate(const Genome& genome, const KindCatalog& catalog);
+
+// Returns a genome of space that grows into the same body as a planar one, as deep as its parts are
+// wide. A depth of 0 or less means the width of each part. The joints of both must have the same
+// order as far as those of the plane go.
+Genome lifted(const Genome& planar, double depth);
 
 // Makes any genome valid by the steps of genome/README.md 3. It is idempotent; every operator ends
 // with it.

@@ -59,6 +59,7 @@ struct OrganEntry {
 inline constexpr std::uint8_t kNoOwnMethod = 0;
 
 struct KindCatalog {
+    int dimensions = 2;  // of the genomes that use the kinds
     std::vector<FunctionEntry> functions;
     std::vector<JointChoice> joints;
     std::vector<EffectorEntry> effectors;

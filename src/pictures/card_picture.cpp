@@ -114,13 +114,16 @@ void add_strip(PictureCanvas& canvas, const CardSpace& at, const Subject& subjec
     }
 }
 
-void add_foot(PictureCanvas& canvas, const CardSpace& at, const Palette& palette) {
+void add_foot(PictureCanvas& canvas, const CardSpace& at, const Subject& subject,
+              const Palette& palette) {
     const Ink strong{Typeface::kStrong, 21.0 * at.unit, palette.muted};
     const Ink small{Typeface::kRegular, 21.0 * at.unit, palette.muted};
     canvas.add_text(at.x(kCardMargin), at.y(1242), "Cambrian", strong);
     canvas.add_text(at.x(kCardWidth - kCardMargin), at.y(1242),
-                    "The creature is inside: open this picture to see it move", small,
-                    Align::kRight);
+                    subject.environment().dimensions == 3
+                        ? "The creature is inside: cambrian render makes a clip of it"
+                        : "The creature is inside: open this picture to see it move",
+                    small, Align::kRight);
 }
 
 }  // namespace
@@ -138,7 +141,7 @@ void draw_card(PictureCanvas& canvas, const Subject& subject, const Palette& pal
     add_heading(canvas, at, subject, palette);
     add_facts(canvas, at, subject, palette);
     add_strip(canvas, at, subject, palette);
-    add_foot(canvas, at, palette);
+    add_foot(canvas, at, subject, palette);
 }
 
 }  // namespace cambrian

@@ -22,4 +22,10 @@ SensorRegistry builtin_sensors() {
     return sensors;
 }
 
+SensorRegistry spatial_sensors() {
+    SensorRegistry sensors = builtin_sensors();
+    add_second_degree_sensor(sensors);
+    return sensors;
+}
+
 }  // namespace cambrian

@@ -3,6 +3,7 @@
 // Directions in the frame of a part, for sensors.
 
 #include "sensors/sensor.h"
+#include "world/joint_kind.h"
 
 #include <algorithm>
 
@@ -23,10 +24,11 @@ inline double component(const SensorSite& site, const Vec3& vector) {
     return site.handedness * (axis.x() * vector.y() - axis.y() * vector.x());
 }
 
-// Returns the sign of the joint's coordinate: the handedness, or 1 for a sliding joint, which
+// Returns the sign of a coordinate of the joint: that of the turn, or 1 for a sliding joint, which
 // mirroring does not change.
 inline int joint_sign(const SensorSite& site) {
-    return site.part.motion == JointMotion::kSlide ? 1 : site.handedness;
+    if (site.part.motion == JointMotion::kSlide) return 1;
+    return turn_sign(site.part.axes[0], site.handedness, site.depth_sign);
 }
 
 // Returns the spots of a pair of channels, the second on the part's left. `along` and `across` are

@@ -16,8 +16,14 @@ constexpr double kFullRate = 1.5;  // 1/s
 double read_joint_rate(const SensorSite& site, double& /*memory*/) {
     const double rate = site.body.joint_rate(site.index);
     if (site.part.motion != JointMotion::kSlide)
-        return limited_reading(site.handedness * rate / kTurn);
+        return limited_reading(joint_sign(site) * rate / kTurn);
     return limited_reading(rate / (kSlide * 2.0 * site.part.half_extents.x()));
+}
+
+double read_second_degree(const SensorSite& site, double& /*memory*/) {
+    if (degrees_of(site.part) < 2) return 0.0;
+    return turn_sign(site.part.axes[1], site.handedness, site.depth_sign) *
+           site.body.joint_coordinate(JointDegree{static_cast<std::uint16_t>(site.index), 1});
 }
 
 double read_effort(const SensorSite& site, double& /*memory*/) {
@@ -42,8 +48,17 @@ void add_joint_sensor(SensorRegistry& sensors) {
          .group = "Joint and touch",
          .channels = {{"joint", "Joint"}},
          .read = [](const SensorSite& site,
-                    double&) { return site.handedness * site.body.joint_coordinate(site.index); },
+                    double&) { return joint_sign(site) * site.body.joint_coordinate(site.index); },
          .reads_joint = true});
+}
+
+// The second angle of a joint in space; 0 where a joint has one degree of freedom.
+void add_second_degree_sensor(SensorRegistry& sensors) {
+    sensors.add({.id = "joint-2",
+                 .label = "Joint, second angle",
+                 .group = "Joint and touch",
+                 .channels = {{"joint-2", "Joint, second angle"}},
+                 .read = read_second_degree});
 }
 
 // Rate of the joint: 1 at 6 rad/s, or at 1.5 lengths of the part per second for a sliding joint,

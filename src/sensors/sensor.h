@@ -30,6 +30,7 @@ struct SensorSite {
     // Share of the way from the last reading to the present value, for smoothing
     // (SensorKind::time_constant); 0 repeats the last reading.
     double share = 1.0;
+    int depth_sign = 1;  // -1 for parts in space whose front and back are exchanged
 };
 
 struct SensorKind {
@@ -59,5 +60,7 @@ struct SensorKind {
 using SensorRegistry = Registry<SensorKind>;
 
 SensorRegistry builtin_sensors();
+// Returns those of bodies in space: the same, and the sense of further degrees of freedom.
+SensorRegistry spatial_sensors();
 
 }  // namespace cambrian

@@ -15,4 +15,12 @@ namespace cambrian {
 //          energy made again
 inline constexpr std::string_view kSimulatorVersion = "1.3";
 
+// That of the simulator of bodies in space, whose numbers begin with its dimensions. Until 3d-1.0
+// it may change with every version of the program.
+inline constexpr std::string_view kSpatialSimulatorVersion = "3d-0.1";
+
+constexpr std::string_view simulator_version(int dimensions) {
+    return dimensions == 3 ? kSpatialSimulatorVersion : kSimulatorVersion;
+}
+
 }  // namespace cambrian

@@ -73,12 +73,13 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
       surroundings_(tilted(world), world_.light, senses_of(*phenotype_, kinds)),
       creature_(*phenotype_, kinds, world_.scene),
       length_(phenotype_->parts.size()),
-      coordinates_(phenotype_->effector_parts.size()),
+      coordinates_(phenotype_->effectors.size()),
       progress_{.rest = RestWatch(phenotype_->network, kinds.functions)} {
     progress_.record.duration = world_.trial.duration;
     progress_.record.body_length = phenotype_->rest_length();
     progress_.record.mass = scene_->mass();
     progress_.record.has_ground = world_.environment.has_ground;
+    progress_.record.dimensions = world_.environment.dimensions;
     progress_.record.up = up_of(world.environment);
     progress_.record.passive_sink = passive_sink(world_.environment);
     progress_.record.samples.reserve(test_length_ / kTicksPerSample + 2);
@@ -122,7 +123,7 @@ void Trial::place_at_start() {
     const Vec3 center = scene_->center_of_mass();
     const double lift =
         world_.environment.has_ground ? kStartClearance - scene_->lowest_point() : -center.y();
-    scene_->translate(Vec3(-center.x(), lift, 0.0));
+    scene_->translate(Vec3(-center.x(), lift, -center.z()));
 }
 
 bool Trial::tick() {
@@ -156,8 +157,8 @@ void Trial::begin_test() {
     progress_.settling = false;
     if (bout_) bout_->begin(*scene_);
     scene_->restart_audit();
-    for (const std::uint16_t part : phenotype_->effector_parts) {
-        progress_.reversals.emplace_back(scene_->joint_coordinate(part));
+    for (const JointDegree& effector : phenotype_->effectors) {
+        progress_.reversals.emplace_back(scene_->joint_coordinate(effector));
     }
     watch_body();
     sample();
@@ -245,7 +246,7 @@ void Trial::stop_early(Outcome outcome, std::string reason) {
 }
 
 void Trial::watch_reversals() {
-    scene_->list_joint_coordinates(phenotype_->effector_parts, coordinates_);
+    scene_->list_joint_coordinates(phenotype_->effectors, coordinates_);
     const double* coordinate = coordinates_.data();
     for (ReversalCounter& joint : progress_.reversals)
         joint.watch(*coordinate++);

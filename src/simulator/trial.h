@@ -47,7 +47,7 @@ class Trial {
     struct Progress {
         TrialRecord record = {};
         Hash64 digest = {};
-        std::vector<ReversalCounter> reversals = {};  // one per effector part
+        std::vector<ReversalCounter> reversals = {};  // one per effector
         RestWatch rest;
         std::uint64_t total_ticks = 0;
         std::uint64_t test_ticks = 0;

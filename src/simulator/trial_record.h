@@ -83,6 +83,7 @@ struct TrialRecord {
     double body_length = 0.0;  // m, simulator/README.md 1
     double mass = 0.0;         // kg
     bool has_ground = false;
+    int dimensions = 2;  // of the world
     // Against gravity, as the settings have it; away from the ground without gravity. Its x says
     // which way a slope rises.
     Vec3 up = Vec3::UnitY();

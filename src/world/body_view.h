@@ -8,6 +8,7 @@
 #include "world/body_plan.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace cambrian {
 
@@ -21,19 +22,23 @@ public:
     virtual Vec3 part_axis(std::size_t part) const = 0;    // unit vector along the part's length
     virtual Twist part_twist(std::size_t part) const = 0;  // at the part's centre
 
-    // Returns the coordinate of the joint between a part and its parent, from rest, in rad or m; 0
-    // for the root and for rigid joints.
-    virtual double joint_coordinate(std::size_t part) const = 0;
-    virtual double joint_rate(std::size_t part) const = 0;  // rad/s or m/s
-    virtual double joint_effort(
-        std::size_t part) const = 0;  // motor, N m or N, at the last tick's end
+    // Returns a coordinate of the joint between a part and its parent, from rest, in rad or m; 0
+    // for the root, for rigid joints and for degrees of freedom that the joint has not.
+    virtual double joint_coordinate(const JointDegree& degree) const = 0;
+    virtual double joint_rate(const JointDegree& degree) const = 0;  // rad/s or m/s
+    // Motor, N m or N, at the last tick's end.
+    virtual double joint_effort(const JointDegree& degree) const = 0;
+    // Return the same of a joint's first degree of freedom.
+    double joint_coordinate(std::size_t part) const { return joint_coordinate(first_degree(part)); }
+    double joint_rate(std::size_t part) const { return joint_rate(first_degree(part)); }
+    double joint_effort(std::size_t part) const { return joint_effort(first_degree(part)); }
 
     // Returns the stretch s of a part, its rate in 1/s, and the effort of its motor in J at the
     // last tick's end; 0 for rigid parts.
     virtual double stretch(std::size_t part) const = 0;
     virtual double stretch_rate(std::size_t part) const = 0;
     virtual double stretch_effort(std::size_t part) const = 0;
-    // Returns half the present length and width, in m; z is 0.
+    // Returns half the present length, width and depth, in m; the depth is 0 in the plane.
     virtual Vec3 part_half_extents(std::size_t part) const = 0;
 
     // Returns whether the face touched the ground or another part during the last tick.
@@ -52,6 +57,9 @@ public:
     virtual double kinetic_energy() const = 0;         // J
     virtual Bounds bounds() const = 0;                 // of all corners of all parts
     virtual double lowest_point() const = 0;           // m, bounds().low.y(); faster
+
+protected:
+    static JointDegree first_degree(std::size_t part) { return {static_cast<std::uint16_t>(part)}; }
 };
 
 // Returns the point of a part at this share of its half length from its centre, in m.

@@ -23,12 +23,13 @@ struct Environment {
     double elasticity = 0.2;  // coefficient of restitution, in [0, 1]
     double viscosity_linear =
         0.0;  // N s/m^2 per length of a face (N s/m^3 in 3D); drag per normal speed
-    double viscosity_quadratic = 0.0;  // kg/m^2 per length of a face; drag per squared normal speed
-    double density = 1.0;              // kg/m^2 of body parts; mass = density * area
-    bool has_light = false;            // a lamp, which casts no shadows
-    double light_brightness = 1.0;     // intensity at the lamp
-    double light_x = 3.0;              // m; place of the lamp, or where it starts
-    double light_y = 1.0;              // m
+    double viscosity_quadratic =
+        0.0;  // kg/m^2 per length of a face (kg/m^3 in 3D); drag per squared normal speed
+    double density = 1.0;           // kg/m^2 of body parts; mass = density * area (kg/m^3, volume)
+    bool has_light = false;         // a lamp, which casts no shadows
+    double light_brightness = 1.0;  // intensity at the lamp
+    double light_x = 3.0;           // m; place of the lamp, or where it starts
+    double light_y = 1.0;           // m
     std::string light_motion = "still";  // one of kLightMotionIds
     double light_range = 5.0;            // m; how far it wanders from its start, each way
     double light_reach = 2.0;            // m; distance at which half the intensity is left
@@ -37,6 +38,7 @@ struct Environment {
     double light_period = 5.0;           // s between two jumps
     bool deaf = false;                   // nobody hears anything
     bool scentless = false;              // nobody smells anything
+    int dimensions = 2;                  // or 3, where there is neither ground nor light yet
 
     friend bool operator==(const Environment&, const Environment&) = default;
 };

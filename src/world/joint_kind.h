@@ -5,6 +5,7 @@
 #include "core/registry.h"
 #include "world/body_plan.h"
 
+#include <array>
 #include <string>
 
 namespace cambrian {
@@ -18,6 +19,11 @@ struct JointGenes {
     double width = 0.0;            // m, of the narrower one of the two parts
     int handedness = 1;            // -1 for mirrored parts
     double muscle_strength = 0.0;  // SceneSettings::muscle_strength
+    // In space: the depth of the shallower one, the other sign of mirroring (creature/README.md 2)
+    // and the limits of the further degrees of freedom.
+    double depth = 0.0;  // m
+    int depth_sign = 1;
+    std::array<std::array<double, 2>, kMostDegrees - 1> further_limits = {};
 };
 
 struct JointKind {
@@ -27,9 +33,17 @@ struct JointKind {
     bool usual = true;  // enabled in founders and mutations by default
     // Sets the limits and the motor's largest effort; required unless the joint is fixed.
     void (*shape)(const JointGenes& genes, PlannedPart& part) = nullptr;
+    int turns = 1;  // hinges of a joint that turns
 
-    int degrees_of_freedom() const { return motion == JointMotion::kFixed ? 0 : 1; }
+    int degrees_of_freedom() const { return motion == JointMotion::kFixed ? 0 : turns; }
 };
+
+// Returns the sign of a mirrored part's angle about an axis of its frame (x, y, z), where the sides
+// y and z of the part have these signs: turns are pseudovectors.
+inline int turn_sign(int axis, int handedness, int depth_sign) {
+    if (axis == 0) return handedness * depth_sign;
+    return axis == 1 ? depth_sign : handedness;
+}
 
 using JointRegistry = Registry<JointKind>;
 

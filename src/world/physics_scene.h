@@ -99,7 +99,7 @@ public:
 
 // What a scene needs to go on with its motion, without what it remembers of contacts.
 struct SceneMotion {
-    // Of its coordinates; the last two are x and y of the centre of mass of a body without loops.
+    // Of its coordinates; the last are those of the centre of mass of a body without loops.
     std::vector<double> positions, speeds;
     std::vector<double> targets;  // of the motors
 };
@@ -109,15 +109,18 @@ inline constexpr int kMostPulls = 4;
 
 class PhysicsScene : public BodyView {
 public:
-    // Writes the joint coordinate of each of these parts, in their order.
-    virtual void list_joint_coordinates(std::span<const std::uint16_t> parts,
+    // Writes the coordinate of each of these degrees of freedom, in their order.
+    virtual void list_joint_coordinates(std::span<const JointDegree> degrees,
                                         std::span<double> coordinates) const = 0;
 
-    // Sets the motor target of the joint between a part and its parent, in the unit of the motor
+    // Sets the motor target of a joint between a part and its parent, in the unit of the motor
     // mode: joint coordinate, joint rate, or share of max_effort. The motor's target approaches it
-    // linearly during the next tick and then stays. Ignored for the root and for rigid joints.
-    virtual void set_target(std::size_t part, double target) = 0;
-    virtual double target(std::size_t part) const = 0;
+    // linearly during the next tick and then stays. Ignored where there is no such joint.
+    virtual void set_target(const JointDegree& degree, double target) = 0;
+    virtual double target(const JointDegree& degree) const = 0;
+    // Do the same for a joint's first degree of freedom.
+    void set_target(std::size_t part, double target) { set_target(first_degree(part), target); }
+    double target(std::size_t part) const { return target(first_degree(part)); }
     // Returns the largest change of a motor's target in the last advance(), each in its own unit.
     virtual double largest_target_change() const = 0;
     // Does the same for the stretch of a deformable part. Ignored for rigid parts.

@@ -27,6 +27,7 @@ struct IntegratorName {
 struct SceneKind {
     std::string id;
     std::string label;
+    int dimensions = 2;
     JointRegistry joints;
     std::vector<IntegratorName> integrators;  // of SceneSettings::integrator
     std::string accurate_integrator;          // the id of the most accurate of them
@@ -35,7 +36,7 @@ struct SceneKind {
                                                         const SceneSettings&)>
         make;
     // Returns scenes, in the same environment, to be advanced as one. The sum of their sizes must
-    // fit the largest one.
+    // fit the largest one. Empty if the scenes of this kind cannot.
     std::function<std::unique_ptr<JoinedScenes>(std::span<PhysicsScene* const>)> join;
     SceneSize largest_join;
 };

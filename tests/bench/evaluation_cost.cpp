@@ -17,8 +17,8 @@ std::vector<double> recorded_targets(const std::shared_ptr<const Phenotype>& phe
     auto trial = Trial::start(phenotype, kinds, world);
     for (bool more = trial.has_value(); more;) {
         more = (*trial)->tick();
-        for (const std::uint16_t part : phenotype->effector_parts)
-            targets.push_back((*trial)->scene().target(part));
+        for (const JointDegree& joint : phenotype->effectors)
+            targets.push_back((*trial)->scene().target(joint));
     }
     return targets;
 }
@@ -32,8 +32,8 @@ void move(const Phenotype& phenotype, const Kinds& kinds, const TrialWorld& worl
     if (world.environment.has_ground)
         (*scene)->translate(Vec3(0.0, kClearance - (*scene)->bounds().low.y(), 0.0));
     for (auto target = targets.begin(); target != targets.end();) {
-        for (const std::uint16_t part : phenotype.effector_parts)
-            (*scene)->set_target(part, *target++);
+        for (const JointDegree& joint : phenotype.effectors)
+            (*scene)->set_target(joint, *target++);
         (*scene)->advance(kBrainTick);
     }
 }

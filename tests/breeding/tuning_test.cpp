@@ -29,10 +29,10 @@ Genome leveled(Genome genome) {
     genome.root_angle = 0.0;
     std::for_each(genome.brain.begin(), genome.brain.end(), level);
     for (NodeGene& node : genome.nodes) {
-        for (const GeneField<NodeGene>& field : node_fields())
+        for (const GeneField<NodeGene>& field : node_fields(2))
             node.*field.value = field.rule.fallback;
         for (EdgeGene& edge : node.edges) {
-            for (const GeneField<EdgeGene>& field : edge_fields())
+            for (const GeneField<EdgeGene>& field : edge_fields(2))
                 edge.*field.value = field.rule.fallback;
         }
         node.effector.weight = 1.0;
@@ -73,7 +73,7 @@ TEST_CASE("half of the tuned genomes change in all numbers", "[breeding][tuning]
         announced += tune(child, nullptr, full_catalog(), stream).place == "all numbers" ? 1 : 0;
         bool all = true;
         for (std::size_t node = 0; node < genome.nodes.size(); ++node) {
-            for (const GeneField<NodeGene>& field : node_fields())
+            for (const GeneField<NodeGene>& field : node_fields(2))
                 all = all && child.nodes[node].*field.value != genome.nodes[node].*field.value;
         }
         complete += all ? 1 : 0;

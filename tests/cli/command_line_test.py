@@ -4,7 +4,7 @@ import unittest
 
 from program import BAD_INPUT, DONE, FAILED, ROOT, ProgramTest
 
-SUBCOMMANDS = ["studio", "view", "evolve", "simulate", "render", "verify", "rescore",
+SUBCOMMANDS = ["studio", "view", "evolve", "simulate", "render", "verify", "rescore", "lift",
                "settings", "worker", "cluster", "preserve", "compare", "export", "schema", "manual",
                "completion"]
 

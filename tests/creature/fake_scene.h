@@ -34,9 +34,14 @@ public:
         return poses[part].orientation * Vec3::UnitX();
     }
     Twist part_twist(std::size_t part) const override { return twists[part]; }
-    double joint_coordinate(std::size_t part) const override { return coordinates[part]; }
-    double joint_rate(std::size_t part) const override { return rates[part]; }
-    double joint_effort(std::size_t part) const override { return efforts[part]; }
+    using BodyView::joint_coordinate;
+    using BodyView::joint_effort;
+    using BodyView::joint_rate;
+    double joint_coordinate(const JointDegree& degree) const override {
+        return coordinates[degree.part];
+    }
+    double joint_rate(const JointDegree& degree) const override { return rates[degree.part]; }
+    double joint_effort(const JointDegree& degree) const override { return efforts[degree.part]; }
     double stretch(std::size_t part) const override { return stretches[part]; }
     double stretch_rate(std::size_t part) const override { return stretch_rates[part]; }
     double stretch_effort(std::size_t part) const override { return stretch_efforts[part]; }
@@ -53,13 +58,17 @@ public:
     Bounds bounds() const override { return {}; }
     double lowest_point() const override { return 0.0; }
 
-    void list_joint_coordinates(std::span<const std::uint16_t> parts,
+    void list_joint_coordinates(std::span<const JointDegree> degrees,
                                 std::span<double> into) const override {
-        for (std::size_t i = 0; i < parts.size(); ++i)
-            into[i] = coordinates[parts[i]];
+        for (std::size_t i = 0; i < degrees.size(); ++i)
+            into[i] = coordinates[degrees[i].part];
     }
-    void set_target(std::size_t part, double target) override { targets[part] = target; }
-    double target(std::size_t part) const override { return targets[part]; }
+    using PhysicsScene::set_target;
+    using PhysicsScene::target;
+    void set_target(const JointDegree& degree, double target) override {
+        targets[degree.part] = target;
+    }
+    double target(const JointDegree& degree) const override { return targets[degree.part]; }
     double largest_target_change() const override { return 0.0; }
     void set_stretch_target(std::size_t part, double target) override {
         stretch_targets[part] = target;

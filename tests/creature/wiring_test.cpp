@@ -35,8 +35,8 @@ double heard_by(std::size_t part, const Genome& genome) {
     const Phenotype phenotype = express(genome);
     Brain brain(phenotype.network, kinds().functions);
     brain.think(1.0 / 60.0);
-    for (std::size_t i = 0; i < phenotype.effector_parts.size(); ++i) {
-        if (phenotype.effector_parts[i] == part) return brain.output(i);
+    for (std::size_t i = 0; i < phenotype.effectors.size(); ++i) {
+        if (phenotype.effectors[i].part == part) return brain.output(i);
     }
     FAIL("no such effector");
     return 0.0;
@@ -119,7 +119,7 @@ TEST_CASE("control is live if an effector hears a sensor, a memory or a cycle",
 TEST_CASE("rigid parts have no effector", "[creature][wiring]") {
     Genome genome = two_arms({});
     genome.nodes[2].joint = 0;
-    CHECK(express(genome).effector_parts == std::vector<std::uint16_t>{1, 3});
+    CHECK(express(genome).effectors == std::vector<JointDegree>{{1}, {3}});
     genome.nodes[1].joint = 0;
     CHECK_FALSE(express(genome).can_move());
 }

@@ -59,7 +59,7 @@ TEST_CASE("the phenotype's hash is over all that a trial depends on", "[creature
         [](Phenotype& p) { p.network.neurons[p.network.order.back()].inputs[0].weight += 1e-9; },
         [](Phenotype& p) { p.network.outputs.back().weight += 1e-9; },
         [](Phenotype& p) { p.network.outputs.back().slot = p.network.zero_slot(); },
-        [](Phenotype& p) { ++p.effector_parts.back(); },
+        [](Phenotype& p) { ++p.effectors.back().part; },
     };
     for (std::size_t i = 0; i < changes.size(); ++i) {
         CAPTURE(i);

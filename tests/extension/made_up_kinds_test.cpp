@@ -74,7 +74,7 @@ void drive_flip(const EffectorSite& site, double signal, double /*share*/,
                 const SceneSettings& /*settings*/, double& memory, PhysicsScene& scene) {
     ++calls.effector;
     memory = signal > 0.0 ? site.part.limit_high : site.part.limit_low;
-    scene.set_target(site.index, memory);
+    scene.set_target(site.joint, memory);
 }
 
 // Gives off nothing; counts calls with parameters in their ranges.
@@ -321,8 +321,9 @@ TEST_CASE("a made-up joint moves, within its own limits", "[extension]") {
         auto trial = Trial::start(phenotype, kinds().creature, settings.world);
         if (!trial) continue;  // the body is not possible in this world
         while ((*trial)->tick()) {
-            for (const std::uint16_t part : phenotype->effector_parts) {
-                farthest = std::fmax(farthest, std::fabs((*trial)->scene().joint_coordinate(part)));
+            for (const JointDegree& joint : phenotype->effectors) {
+                farthest =
+                    std::fmax(farthest, std::fabs((*trial)->scene().joint_coordinate(joint)));
             }
         }
     }

@@ -15,13 +15,15 @@ TEST_CASE("perturbed genes stay in their range", "[genome][fields]") {
             REQUIRE(in_range(x, rule));
         }
     };
-    for (const auto& field : node_fields())
+    for (const auto& field : node_fields(3))
         check(field.rule);
-    for (const auto& field : edge_fields())
+    for (const auto& field : edge_fields(3))
+        check(field.rule);
+    for (const auto& field : degree_fields())
         check(field.rule);
     for (const auto& field : input_fields())
         check(field.rule);
-    for (const auto& field : genome_fields())
+    for (const auto& field : genome_fields(3))
         check(field.rule);
 }
 
@@ -42,7 +44,7 @@ TEST_CASE("a perturbation's spread is relative to the value, with a floor", "[ge
 }
 
 TEST_CASE("a value just below a circle's start wraps to inside it", "[genome][fields]") {
-    const FieldRule& position = edge_fields()[0].rule;
+    const FieldRule& position = edge_fields(3)[0].rule;
     CHECK(in_range(fit(-1e-20, position), position));
     CHECK(in_range(fit(1.0, position), position));
     CHECK(fit(-0.25, position) == 0.75);

@@ -67,8 +67,8 @@ TEST_CASE("E03: a file of another kind is named", "[persist][creature_error]") {
 }
 
 TEST_CASE("E04: a version from the future or none at all is refused", "[persist][creature_error]") {
-    CHECK(message_of_creature(changed("\"version\": 2", "\"version\": 4")) ==
-          "some.creature.json: E04 /version: 4 is newer than this program (3)");
+    CHECK(message_of_creature(changed("\"version\": 2", "\"version\": 5")) ==
+          "some.creature.json: E04 /version: 5 is newer than this program (4)");
     CHECK_THAT(message_of_creature(changed("\"version\": 2", "\"version\": 0")),
                Catch::Contains("E04"));
     CHECK_THAT(message_of_creature(changed("\"version\": 2", "\"version\": -1.5")),

@@ -78,7 +78,7 @@ TEST_CASE("the root is drawn over its limbs and each moving joint has a pivot",
     SceneFrame frame;
     add_creature(frame, kPalette, kCamera, {phenotype, poses});
     const std::size_t parts = phenotype.parts.size();
-    CHECK(frame.shapes.size() == parts + 2 * phenotype.effector_parts.size());
+    CHECK(frame.shapes.size() == parts + 2 * phenotype.effectors.size());
     CHECK((frame.shapes[parts - 1].center - poses[0].position.head<2>()).norm() < 1e-9);
 }
 

@@ -16,6 +16,11 @@ inline const Kinds& creature_kinds() {
     return kinds().creature;
 }
 
+inline const EvolutionKinds& spatial_kinds() {
+    static const EvolutionKinds all = builtin_kinds(3);
+    return all;
+}
+
 inline const KindCatalog& kind_catalog() {
     return kinds().creature.catalog;
 }

@@ -48,6 +48,8 @@ public:
     // An experiment file that the command creates.
     CommandFiles& keeps(const std::string& path);
 
+    const std::vector<std::filesystem::path>& inputs() const { return inputs_; }
+
     // Checks that all files and standard output can be used together. The message names the file at
     // fault.
     Status check() const;

@@ -23,7 +23,10 @@ public:
     virtual void add_options(CLI::App& app) = 0;
     // Returns the files that the subcommand reads and writes, as far as its options tell.
     virtual CommandFiles files() const { return {}; }
-    // Writes results to standard output and messages to standard error.
+    // Returns whether it takes creatures, settings and experiments of three dimensions.
+    virtual bool works_in_space() const { return false; }
+    // The kinds are those of the dimensions of its files. Writes results to standard output and
+    // messages to standard error.
     virtual ExitStatus run(const EvolutionKinds& kinds) = 0;
 };
 

@@ -301,6 +301,8 @@ RunEnd run_once(const EvolutionRun& run, const EvolutionKinds& kinds) {
     // This must fail before any file is written.
     const auto cluster = cluster_of(run);
     if (!cluster) return {fail(cluster.error())};
+    if (*cluster && kinds.creature.scene.dimensions == 3)
+        return {fail({"clusters are not built in three dimensions yet"})};
     Result<Course> course = course_of(run, kinds);
     if (!course) return {fail(course.error())};
     const auto backend = backend_of(run, *cluster, course->outputs, kinds);

@@ -56,6 +56,7 @@ public:
         app.add_flag("--json", run_.json, "Output as JSON, one object per line");
     }
     CommandFiles files() const override { return files_of(run_); }
+    bool works_in_space() const override { return true; }
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (!seeds_.empty()) {
             auto seeds = parse_seeds(seeds_);

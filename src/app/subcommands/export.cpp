@@ -59,6 +59,7 @@ public:
                                   : champion_ || generation_ ? output_form::kCreature
                                                              : output_form::kTable);
     }
+    bool works_in_space() const override { return true; }
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (!champion_ && !generation_ && !stats_ && !settings_ && !lives_ && !series_ && !museum_)
             return fail(

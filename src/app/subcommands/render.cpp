@@ -184,6 +184,7 @@ public:
             .reads(options_.environment)
             .writes(options_.out, output_form::kDrawing);
     }
+    bool works_in_space() const override { return true; }
     ExitStatus run(const EvolutionKinds& kinds) override {
         const Result<Product> product = product_of(options_);
         if (!product) return fail(product.error());

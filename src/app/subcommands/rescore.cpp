@@ -33,8 +33,9 @@ std::string words_for(const RescoredExperiment& done, const EvolutionKinds& kind
                            short_text(unconfirmed_score(champion.individual->result)), unit,
                            simulator);
     };
-    const std::string words = fmt::format("{}; {}", best_of(done.after, kSimulatorVersion),
-                                          best_of(done.before, done.simulator));
+    const std::string words = fmt::format(
+        "{}; {}", best_of(done.after, simulator_version(kinds.creature.scene.dimensions)),
+        best_of(done.before, done.simulator));
     return done.again ? fmt::format("{}, now {} {}", words, short_text(*done.again), unit) : words;
 }
 
@@ -45,8 +46,8 @@ ExitStatus rescore_run(const std::string& file, const EvolutionKinds& kinds, Lon
     if (!done)
         return fail(done.error(), work.interrupted() ? ExitStatus::kFailed : ExitStatus::kBadInput);
     if (!done->has_value())
-        return print_result_line(
-            fmt::format("{}: unchanged, scored by simulator {}", file, kSimulatorVersion));
+        return print_result_line(fmt::format("{}: unchanged, scored by simulator {}", file,
+                                             simulator_version(kinds.creature.scene.dimensions)));
     return print_result_line(fmt::format("{}: {}", file, words_for(**done, kinds)));
 }
 
@@ -70,6 +71,7 @@ public:
         return CommandFiles().reads_each(files_).writes(out_, output_form::kCreature);
     }
 
+    bool works_in_space() const override { return true; }
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (!out_.empty() && files_.size() > 1)
             return fail({fmt::format("--out is for one creature, found {}", files_.size())});

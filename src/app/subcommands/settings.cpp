@@ -33,6 +33,7 @@ public:
     CommandFiles files() const override {
         return CommandFiles().reads(file_).writes(out_, output_form::kSettings);
     }
+    bool works_in_space() const override { return true; }
     ExitStatus run(const EvolutionKinds& kinds) override {
         const SettingsUse use = preserve_ ? SettingsUse::kPreserve : SettingsUse::kExperiment;
         const Result<ExperimentSettings> settings =

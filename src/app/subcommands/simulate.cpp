@@ -89,6 +89,7 @@ public:
             .reads(options_.environment)
             .writes(options_.trace, output_form::kTable);
     }
+    bool works_in_space() const override { return true; }
     ExitStatus run(const EvolutionKinds& kinds) override {
         const Result<CreatureDocument> document = load_creature(options_.creature, kinds);
         if (!document) return fail(document.error());

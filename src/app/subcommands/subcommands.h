@@ -13,6 +13,7 @@ SubcommandKind manual_subcommand();
 SubcommandKind preserve_subcommand();
 SubcommandKind render_subcommand();
 SubcommandKind rescore_subcommand();
+SubcommandKind lift_subcommand();
 SubcommandKind schema_subcommand();
 SubcommandKind settings_subcommand();
 SubcommandKind simulate_subcommand();

@@ -79,13 +79,15 @@ ExitStatus verify(const std::string& file, const EvolutionKinds& kinds, LongWork
 
 // Example: "; from generation 12 on it was computed by simulator 0.9, this is 1.0".
 std::string other_simulators(const SavedExperiment& saved) {
+    const std::string_view present =
+        simulator_version(saved.settings->world.environment.dimensions);
     std::string words;
     for (const SimulatorChange& change : saved.simulators) {
-        if (change.version == kSimulatorVersion) continue;
+        if (change.version == present) continue;
         words += fmt::format("; from generation {} on it was computed by simulator {}",
                              change.generation, change.version);
     }
-    return words.empty() ? words : fmt::format("{}, this is {}", words, kSimulatorVersion);
+    return words.empty() ? words : fmt::format("{}, this is {}", words, present);
 }
 
 ExitStatus verify_experiment(const std::string& file, const EvolutionKinds& kinds, LongWork& work) {
@@ -122,6 +124,7 @@ public:
             ->required();
     }
     CommandFiles files() const override { return CommandFiles().reads_each(files_); }
+    bool works_in_space() const override { return true; }
     ExitStatus run(const EvolutionKinds& kinds) override {
         ExitStatus worst = ExitStatus::kDone;
         LongWork work;

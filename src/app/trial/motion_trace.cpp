@@ -15,9 +15,16 @@ namespace {
 constexpr std::size_t kPiece = 65536;  // bytes per write
 
 std::string heading(const Trial& trial, const Kinds& kinds) {
-    std::string line = "time,mass_x,mass_y";
+    const bool in_space = kinds.scene.dimensions == 3;
+    std::string line = in_space ? "time,mass_x,mass_y,mass_z" : "time,mass_x,mass_y";
     for (std::size_t part = 0; part < trial.scene().part_count(); ++part) {
         const std::string name = fmt::format(",part{}", part);
+        if (in_space) {
+            for (const char* quantity :
+                 {"_x", "_y", "_z", "_qw", "_qx", "_qy", "_qz", "_joint", "_joint2", "_joint3"})
+                line.append(name).append(quantity);
+            continue;
+        }
         for (const char* quantity : {"_x", "_y", "_angle", "_joint"})
             line.append(name).append(quantity);
     }
@@ -36,6 +43,18 @@ std::string heading(const Trial& trial, const Kinds& kinds) {
     return line + "\n";
 }
 
+// The attitude is a quaternion; degrees of freedom that a joint has not are 0.
+template <class Cell>
+void add_solid(const PhysicsScene& scene, std::size_t part, Cell&& cell) {
+    const Pose pose = scene.part_pose(part);
+    const Rotation& turn = pose.orientation;
+    for (const double number : {pose.position.x(), pose.position.y(), pose.position.z(), turn.w(),
+                                turn.x(), turn.y(), turn.z()})
+        cell(number);
+    for (std::uint8_t degree = 0; degree < kMostDegrees; ++degree)
+        cell(scene.joint_coordinate(JointDegree{static_cast<std::uint16_t>(part), degree}));
+}
+
 // Adds a row with the present state.
 void add_row(std::string& text, const Trial& trial) {
     const PhysicsScene& scene = trial.scene();
@@ -44,7 +63,13 @@ void add_row(std::string& text, const Trial& trial) {
     const Vec3 center = scene.center_of_mass();
     cell(center.x());
     cell(center.y());
+    const bool in_space = trial.world().environment.dimensions == 3;
+    if (in_space) cell(center.z());
     for (std::size_t part = 0; part < scene.part_count(); ++part) {
+        if (in_space) {
+            add_solid(scene, part, cell);
+            continue;
+        }
         const Pose pose = scene.part_pose(part);
         cell(pose.position.x());
         cell(pose.position.y());
@@ -52,7 +77,7 @@ void add_row(std::string& text, const Trial& trial) {
         cell(scene.joint_coordinate(part));
     }
     // The signals of organs, the stretches of parts, all the scent in the world, and its light.
-    const std::size_t effectors = trial.phenotype().effector_parts.size();
+    const std::size_t effectors = trial.phenotype().effectors.size();
     for (std::size_t i = 0; i < trial.phenotype().organs.size(); ++i)
         cell(trial.creature().brain().output(effectors + i));
     for (const GrownOrgan& organ : trial.phenotype().organs) {

@@ -11,12 +11,12 @@ namespace {
 constexpr double kReflectToggleShare =
     0.6;  // share of flag changes; the others toggle terminal-only
 
-bool mutate_edge_scalar(Genome& genome, const MutationContext& /*context*/, RandomStream& stream,
+bool mutate_edge_scalar(Genome& genome, const MutationContext& context, RandomStream& stream,
                         MutationRecord& record) {
     const auto sites = edge_sites(genome);
     if (sites.empty()) return false;
     const EdgeSite& site = stream.pick(sites);
-    const auto fields = edge_fields();
+    const auto fields = edge_fields(context.catalog.dimensions);
     const GeneField<EdgeGene>& field = stream.pick(fields);
     double& x = site.in(genome).*field.value;
     record.place = fmt::format("{} {}", site.in_words(), field.rule.name);
@@ -26,14 +26,18 @@ bool mutate_edge_scalar(Genome& genome, const MutationContext& /*context*/, Rand
     return true;
 }
 
-bool mutate_edge_flag(Genome& genome, const MutationContext& /*context*/, RandomStream& stream,
+bool mutate_edge_flag(Genome& genome, const MutationContext& context, RandomStream& stream,
                       MutationRecord& record) {
     const auto sites = edge_sites(genome);
     if (sites.empty()) return false;
     const EdgeSite& site = stream.pick(sites);
     const bool reflects = stream.chance(kReflectToggleShare);
-    bool& flag = reflects ? site.in(genome).reflect : site.in(genome).terminal_only;
-    record.place = site.in_words() + (reflects ? " reflect" : " terminal only");
+    const bool deep = reflects && context.catalog.dimensions == 3 && stream.chance(0.5);
+    EdgeGene& edge = site.in(genome);
+    bool& flag = deep ? edge.reflect_depth : reflects ? edge.reflect : edge.terminal_only;
+    record.place = site.in_words() + (deep       ? " reflect depth"
+                                      : reflects ? " reflect"
+                                                 : " terminal only");
     record.from = flag ? "on" : "off";
     flag = !flag;
     record.to = flag ? "on" : "off";

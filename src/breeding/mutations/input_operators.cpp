@@ -35,14 +35,17 @@ bool mutate_effector(Genome& genome, const MutationContext& context, RandomStrea
     NodeGene& node = genome.nodes[index];
     record.place = fmt::format("part {} effector", index);
     const double kind = stream.uniform();
+    const std::size_t degree = node.further.empty() ? 0 : stream.below(node.further.size() + 1);
+    InputGene& effector = effector_of(node, degree);
+    if (degree > 0) record.place += fmt::format(" {}", degree + 1);
     if (kind < kPerturbEffectorShare) {
-        perturb_weight(node.effector, kEffectorStep, stream, record);
+        perturb_weight(effector, kEffectorStep, stream, record);
     } else if (kind < kPerturbEffectorShare + kNegateEffectorShare) {
-        negate_weight(node.effector, record);
+        negate_weight(effector, record);
     } else {
         const SourceRef source =
             random_effector_source(node, kLocalEffectorShare, pool_of(context), stream);
-        replace_source(node.effector, source, context.catalog, record);
+        replace_source(effector, source, context.catalog, record);
         node.effector_kind = random_effector_kind(context.catalog, stream);
     }
     return true;

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 
 namespace cambrian {
 namespace {
@@ -28,17 +29,26 @@ std::string part_in_words(std::size_t node) {
     return fmt::format("part {} ", node);
 }
 
-bool mutate_node_scalar(Genome& genome, const MutationContext& /*context*/, RandomStream& stream,
+bool mutate_node_scalar(Genome& genome, const MutationContext& context, RandomStream& stream,
                         MutationRecord& record) {
-    const std::size_t node = stream.below(genome.nodes.size());
-    const auto fields = node_fields();
-    perturb_field(genome.nodes[node], stream.pick(fields), part_in_words(node), stream, record);
+    const std::size_t index = stream.below(genome.nodes.size());
+    NodeGene& node = genome.nodes[index];
+    const auto fields = node_fields(context.catalog.dimensions);
+    const auto further = degree_fields();
+    const std::size_t drawn = stream.below(fields.size() + node.further.size() * further.size());
+    if (drawn < fields.size()) {
+        perturb_field(node, fields[drawn], part_in_words(index), stream, record);
+        return true;
+    }
+    const std::size_t degree = (drawn - fields.size()) / further.size();
+    perturb_field(node.further[degree], further[(drawn - fields.size()) % further.size()],
+                  fmt::format("{}degree {} ", part_in_words(index), degree + 2), stream, record);
     return true;
 }
 
-bool mutate_root(Genome& genome, const MutationContext& /*context*/, RandomStream& stream,
+bool mutate_root(Genome& genome, const MutationContext& context, RandomStream& stream,
                  MutationRecord& record) {
-    const auto fields = genome_fields();
+    const auto fields = genome_fields(context.catalog.dimensions);
     perturb_field(genome, stream.pick(fields), "", stream, record);
     return true;
 }
@@ -67,12 +77,18 @@ void toggle_symmetry(NodeGene& node, MutationRecord& record) {
     record.to = node.symmetric ? "on" : "off";
 }
 
-void toggle_mirror_axis(NodeGene& node, MutationRecord& record) {
-    const bool was_along = node.mirror_axis == MirrorAxis::kAlong;
-    node.mirror_axis = was_along ? MirrorAxis::kAcross : MirrorAxis::kAlong;
+// Names the axes in their order.
+constexpr std::array<const char*, 3> kMirrorAxisWords = {"along", "across", "depth"};
+
+void change_mirror_axis(NodeGene& node, int dimensions, RandomStream& stream,
+                        MutationRecord& record) {
+    const int axes = dimensions;  // the plane has two to choose from, space three
+    const int before = static_cast<int>(node.mirror_axis);
+    const int after = (before + (axes == 2 ? 1 : stream.between(1, axes - 1))) % axes;
+    node.mirror_axis = static_cast<MirrorAxis>(after);
     record.place += "mirror axis";
-    record.from = was_along ? "along" : "across";
-    record.to = was_along ? "across" : "along";
+    record.from = kMirrorAxisWords[static_cast<std::size_t>(before)];
+    record.to = kMirrorAxisWords[static_cast<std::size_t>(after)];
 }
 
 bool change_reproduction(Genome& genome, const std::vector<std::string>& methods,
@@ -106,7 +122,7 @@ bool mutate_node_discrete(Genome& genome, const MutationContext& context, Random
             toggle_symmetry(node, record);
             break;
         default:
-            toggle_mirror_axis(node, record);
+            change_mirror_axis(node, context.catalog.dimensions, stream, record);
             break;
     }
     return true;

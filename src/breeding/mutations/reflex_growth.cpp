@@ -39,18 +39,20 @@ bool add_reflex(Genome& genome, const MutationContext& context, RandomStream& st
         return false;
     const std::size_t index = stream.pick(nodes);
     NodeGene& node = genome.nodes[index];
+    InputGene& effector =
+        effector_of(node, node.further.empty() ? 0 : stream.below(node.further.size() + 1));
     const auto channels = enabled_channels(context.founders, context.catalog);
     const std::uint8_t channel = stream.pick(channels);
     const double weight = stream.uniform(-kMaxReflexWeight, kMaxReflexWeight);
     record.place = fmt::format("part {} effector", index);
-    record.from = in_words(node.effector.source, context.catalog);
+    record.from = in_words(effector.source, context.catalog);
     record.to = "sum with sensor " + context.catalog.channels[channel].id;
     NeuronGene neuron{*sum,
-                      {{node.effector.source, 1.0}, {{SourceKind::kLocalSensor, channel}, weight}}};
+                      {{effector.source, 1.0}, {{SourceKind::kLocalSensor, channel}, weight}}};
     neuron.inputs.resize(static_cast<std::size_t>(context.catalog.functions[*sum].arity),
                          {{}, 0.0});
     node.neurons.push_back(std::move(neuron));
-    node.effector.source = own_neuron(SourceScope::kPart, node.neurons.size() - 1);
+    effector.source = own_neuron(SourceScope::kPart, node.neurons.size() - 1);
     return true;
 }
 

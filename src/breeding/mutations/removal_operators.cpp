@@ -68,6 +68,8 @@ bool remove_neuron(Genome& genome, const MutationContext& context, RandomStream&
     if (site.list.scope == SourceScope::kPart) {
         NodeGene& node = genome.nodes[site.list.node];
         removal.rewrite(node.effector.source);
+        for (DegreeGene& degree : node.further)
+            removal.rewrite(degree.effector.source);
         for (OrganGene& organ : node.organs)
             removal.rewrite(organ.input.source);
     }

@@ -57,14 +57,18 @@ void collect(OrganGene& organ, const KindCatalog& catalog, std::vector<Number>& 
 
 std::vector<Number> numbers_of(Genome& genome, const KindCatalog& catalog) {
     std::vector<Number> numbers;
-    collect(genome, genome_fields(), numbers);
+    collect(genome, genome_fields(catalog.dimensions), numbers);
     collect(genome.brain, numbers);
     for (NodeGene& node : genome.nodes) {
-        collect(node, node_fields(), numbers);
+        collect(node, node_fields(catalog.dimensions), numbers);
         collect(node.effector, input_fields(), numbers);
+        for (DegreeGene& degree : node.further) {
+            collect(degree, degree_fields(), numbers);
+            collect(degree.effector, input_fields(), numbers);
+        }
         collect(node.neurons, numbers);
         for (EdgeGene& edge : node.edges)
-            collect(edge, edge_fields(), numbers);
+            collect(edge, edge_fields(catalog.dimensions), numbers);
         for (OrganGene& organ : node.organs)
             collect(organ, catalog, numbers);
     }

@@ -64,9 +64,11 @@ std::array<Vec3, 5> promising_directions(const TrialRecord& record) {
 bool may_exceed(double threshold, const TrialRecord& so_far, const GoalKind& goal) {
     const double speed = kSpeedUp * best_speed(so_far);
     const auto directions = promising_directions(so_far);
-    return std::any_of(directions.begin(), directions.end(), [&](const Vec3& direction) {
+    const auto succeeds = [&](const Vec3& direction) {
         return goal.score(ran_on(so_far, speed * direction)).value > threshold;
-    });
+    };
+    if (std::any_of(directions.begin(), directions.end(), succeeds)) return true;
+    return so_far.dimensions == 3 && (succeeds(Vec3::UnitZ()) || succeeds(-Vec3::UnitZ()));
 }
 
 Result<TerminableTrial> run_terminable_trial(std::shared_ptr<const Phenotype> phenotype,

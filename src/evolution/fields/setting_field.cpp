@@ -360,6 +360,7 @@ std::vector<SettingField> setting_fields(const EvolutionKinds& kinds) {
     add_mutation(fields, kinds);
     add_body(fields);
     setting_table::add_body_kinds(fields, kinds);
+    if (kinds.creature.scene.dimensions == 3) setting_table::adapt_to_space(fields);
     return fields;
 }
 
@@ -367,6 +368,9 @@ Status check_settings(const ExperimentSettings& settings, const EvolutionKinds& 
     Settings copy = settings;
     for (const SettingField& field : setting_fields(kinds)) {
         if (Status fault = setting_table::check_field(field, field.at(copy)); !fault) return fault;
+    }
+    if (kinds.creature.scene.dimensions == 3) {
+        if (Status built = setting_table::check_space(settings, kinds); !built) return built;
     }
     return check_together(settings, kinds);
 }

@@ -25,6 +25,9 @@ void add_trials(TableBuilder& trial);          // number of trials per creature 
 // check fails if no movable joint or no control remains.
 void add_body_kinds(std::vector<SettingField>& fields, const EvolutionKinds& kinds);
 Status check_body_kinds(const Settings& settings, const EvolutionKinds& kinds);
+// Give settings in space their units, ranges and dimensions, and refuse what is not built there.
+void adapt_to_space(std::vector<SettingField>& fields);
+Status check_space(const Settings& settings, const EvolutionKinds& kinds);
 void add_selection(std::vector<SettingField>& fields, const EvolutionKinds& kinds);
 
 }  // namespace cambrian::setting_table

@@ -31,7 +31,9 @@ double greatest_stir(const std::vector<MotionSample>& samples) {
 
 Behavior behavior_of(const Phenotype& phenotype, const TrialRecord& record) {
     Behavior behavior;
-    behavior.movable_joints = static_cast<int>(phenotype.effector_parts.size());
+    behavior.movable_joints = static_cast<int>(
+        std::count_if(phenotype.effectors.begin(), phenotype.effectors.end(),
+                      [](const JointDegree& effector) { return effector.degree == 0; }));
     behavior.joint_frequency = record.reversal_rate;
     behavior.mean_joint_frequency = record.mean_reversal_rate;
     if (record.samples.empty()) return behavior;

@@ -12,6 +12,22 @@ void adopt_defaults(ExperimentSettings& settings, const GoalKind& goal) {
     allow_senses(settings, goal);
 }
 
+void adopt_space(TrialWorld& world) {
+    constexpr double scale = 1000.0;  // kg/m^3 of a body that is as heavy as water
+    Environment& environment = world.environment;
+    environment.dimensions = 3;
+    environment.density *= scale;
+    environment.viscosity_linear *= scale;
+    environment.viscosity_quadratic *= scale;
+    world.scene.muscle_strength *= scale;
+}
+
+void adopt_space_defaults(ExperimentSettings& settings, const GoalRegistry& goals) {
+    settings.goal = kGoalOfSpace;
+    if (const GoalKind* goal = goals.find(settings.goal)) adopt_defaults(settings, *goal);
+    adopt_space(settings.world);
+}
+
 void adopt_possible_goal(ExperimentSettings& settings, const GoalRegistry& goals) {
     const auto is_possible = [&settings](const GoalKind& goal) {
         return mismatch_of(goal, settings.world.environment).empty();

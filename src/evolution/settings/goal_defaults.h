@@ -5,6 +5,15 @@
 
 namespace cambrian {
 
+// The goal of settings in space that name none.
+inline constexpr const char* kGoalOfSpace = "swimming";
+
+// Puts a world of the plane into space. A planar creature that is 1 m deep would move as before
+// under the same numbers, and creatures in space have 1000 times the density.
+void adopt_space(TrialWorld& world);
+// Takes over the default goal of space and its world there.
+void adopt_space_defaults(ExperimentSettings& settings, const GoalRegistry& goals);
+
 // Takes over what suits a goal: environment, protocol of trials, their early
 // termination, confirmations and senses.
 void adopt_defaults(ExperimentSettings& settings, const GoalKind& goal);

@@ -28,6 +28,9 @@ public:
         if (!contains(joints_, node.joint))
             note(place + "/joint", "joint", catalog_.joints[node.joint].id);
         look_at(node.effector, place + "/effector/source");
+        for (std::size_t i = 0; i < node.further.size(); ++i)
+            look_at(node.further[i].effector,
+                    fmt::format("{}/further/{}/effector/source", place, i));
         look_at(node.organs, place + "/organs");
         look_at(node.neurons, place + "/neurons");
     }

@@ -46,6 +46,18 @@ void draw_organs(NodeGene& node, const GenePool& pool, RandomStream& stream) {
     }
 }
 
+// Draws the mirror axis and the further degrees of freedom of a part in space.
+void draw_space(NodeGene& node, const GenePool& pool, RandomStream& stream) {
+    if (stream.chance(0.5)) node.mirror_axis = MirrorAxis::kDepth;
+    const int degrees = pool.catalog.joints[node.joint].degrees_of_freedom;
+    for (int degree = 1; degree < degrees; ++degree) {
+        DegreeGene& further = node.further.emplace_back();
+        draw_fields(further, degree_fields(), pool.settings, stream);
+        draw_fields(further.effector, input_fields(), pool.settings, stream);
+        further.effector.source = random_effector_source(node, kFounderEffectorShare, pool, stream);
+    }
+}
+
 std::uint8_t random_reference(RandomStream& stream) {
     return static_cast<std::uint8_t>(stream.below(gene_range::kMaxReference + 1));
 }
@@ -142,7 +154,7 @@ OrganGene random_organ(std::uint8_t kind, const NodeGene& node, const GenePool& 
 NodeGene random_node(const GenePool& pool, RandomStream& stream) {
     const FounderSettings& settings = pool.settings;
     NodeGene node;
-    draw_fields(node, node_fields(), settings, stream);
+    draw_fields(node, node_fields(pool.catalog.dimensions), settings, stream);
     node.joint = random_joint(pool, stream);
     const int most = std::clamp(settings.max_recursion, 1, gene_range::kMaxRecursion);
     node.recursion_limit = stream.chance(kSingleOccurrenceShare) ? 1 : stream.between(1, most);
@@ -156,6 +168,7 @@ NodeGene random_node(const GenePool& pool, RandomStream& stream) {
     node.effector.source = random_effector_source(node, kFounderEffectorShare, pool, stream);
     draw_organs(node, pool, stream);
     node.uid = static_cast<std::uint32_t>(stream.bits() >> 32);
+    if (pool.catalog.dimensions == 3) draw_space(node, pool, stream);
     return node;
 }
 
@@ -163,9 +176,10 @@ EdgeGene random_edge(std::size_t target, const GenePool& pool, RandomStream& str
     EdgeGene edge;
     CAMBRIAN_TICK_ASSERT(target <= 2 * gene_range::kMaxNodes, "a node an edge can name");
     edge.target = static_cast<std::uint8_t>(target);
-    draw_fields(edge, edge_fields(), pool.settings, stream);
+    draw_fields(edge, edge_fields(pool.catalog.dimensions), pool.settings, stream);
     edge.reflect = stream.chance(kReflectShare);
     edge.terminal_only = stream.chance(kTerminalShare);
+    if (pool.catalog.dimensions == 3) edge.reflect_depth = stream.chance(kReflectShare);
     return edge;
 }
 

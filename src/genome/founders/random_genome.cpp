@@ -54,7 +54,7 @@ Genome draw_genome(const GenePool& pool, RandomStream& stream) {
     const int neurons = stream.between(0, std::max(pool.settings.max_brain_neurons, 0));
     for (int i = 0; i < neurons; ++i)
         genome.brain.push_back(random_neuron(SourceScope::kBrain, pool, stream));
-    for (const GeneField<Genome>& field : genome_fields())
+    for (const GeneField<Genome>& field : genome_fields(pool.catalog.dimensions))
         genome.*field.value = field.rule.draw(pool.settings, stream);
     connect(genome, pool, stream);
     genome.hue = stream.uniform();

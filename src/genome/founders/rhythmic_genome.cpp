@@ -32,17 +32,17 @@ InputGene suggested_constant(const FounderConstant& hint, RandomStream& stream) 
 }
 
 // Adds an oscillator of that frequency to a node, or replaces its last neuron if there is no room.
-// The joint follows it.
-void follow_oscillator(NodeGene& node, std::uint8_t function, const InputGene& frequency,
-                       const GenePool& pool, RandomStream& stream) {
+// The effector follows it.
+void follow_oscillator(NodeGene& node, InputGene& effector, std::uint8_t function,
+                       const InputGene& frequency, const GenePool& pool, RandomStream& stream) {
     NeuronGene neuron{.function = function, .inputs = {frequency}};
     const auto& hints = pool.catalog.functions[function].founder_inputs;
     for (std::size_t i = 1; i < hints.size(); ++i)
         neuron.inputs.push_back(suggested_constant(hints[i], stream));
     if (node.neurons.size() == gene_range::kMaxNodeNeurons) node.neurons.pop_back();
     node.neurons.push_back(std::move(neuron));
-    node.effector.source = own_neuron(SourceScope::kPart, node.neurons.size() - 1);
-    node.effector.weight = stream.uniform(kLeastWeight, kMostWeight);
+    effector.source = own_neuron(SourceScope::kPart, node.neurons.size() - 1);
+    effector.weight = stream.uniform(kLeastWeight, kMostWeight);
 }
 
 // Each node begins a limb at the root, single or in a mirrored pair, or continues the limb before.
@@ -53,6 +53,7 @@ void connect_limbs(Genome& genome, const GenePool& pool, RandomStream& stream) {
         EdgeGene edge = random_edge(node, pool, stream);
         edge.reflect = false;
         edge.terminal_only = false;
+        edge.reflect_depth = false;
         const bool paired = begins && stream.chance(pool.settings.symmetric_share);
         genome.nodes[node].symmetric = paired;
         for (int copies = paired ? 2 : 1; copies > 0 && edges.size() < gene_range::kMaxEdges;
@@ -80,13 +81,18 @@ Genome rhythmic_genome(const GenePool& pool, RandomStream& stream) {
     const InputGene frequency =
         suggested_constant(pool.catalog.functions[*oscillator].founder_inputs.front(), stream);
     Genome genome;
-    for (const GeneField<Genome>& field : genome_fields())
+    for (const GeneField<Genome>& field : genome_fields(pool.catalog.dimensions))
         genome.*field.value = field.rule.draw(settings, stream);
     for (int count = stream.between(least, most); count > 0; --count) {
         NodeGene node = random_node(pool, stream);
         node.recursion_limit =
             stream.chance(kSingleSegmentShare) ? 1 : std::clamp(2, 1, settings.max_recursion);
-        follow_oscillator(node, *oscillator, frequency, pool, stream);
+        follow_oscillator(node, node.effector, *oscillator, frequency, pool, stream);
+        // Founders bend more than they twist.
+        for (DegreeGene& degree : node.further) {
+            follow_oscillator(node, degree.effector, *oscillator, frequency, pool, stream);
+            degree.effector.weight *= stream.uniform();
+        }
         genome.nodes.push_back(std::move(node));
     }
     connect_limbs(genome, pool, stream);

@@ -78,22 +78,51 @@ void repair_organs(std::vector<OrganGene>& organs, const KindCatalog& catalog) {
     }
 }
 
+// Every degree of freedom but the first has genes of its own.
+void repair_degrees(NodeGene& node, const KindCatalog& catalog) {
+    const int degrees = catalog.joints[node.joint].degrees_of_freedom;
+    node.further.resize(static_cast<std::size_t>(std::max(degrees - 1, 0)));
+    for (DegreeGene& degree : node.further) {
+        fit_fields(degree, degree_fields());
+        repair_input(degree.effector, SourceScope::kPart);
+    }
+}
+
+// Sets what only bodies in space have to its default.
+void flatten(Genome& genome) {
+    const Genome planar;
+    genome.root_tilt = planar.root_tilt;
+    genome.root_roll = planar.root_roll;
+    for (NodeGene& node : genome.nodes) {
+        node.depth = NodeGene{}.depth;
+        for (EdgeGene& edge : node.edges) {
+            const EdgeGene flat;
+            edge.height = flat.height;
+            edge.tilt = flat.tilt;
+            edge.roll = flat.roll;
+            edge.reflect_depth = flat.reflect_depth;
+        }
+    }
+}
+
 void repair_node(NodeGene& node, std::size_t node_count, const KindCatalog& catalog) {
     std::erase_if(node.edges, [&](const EdgeGene& edge) { return edge.target >= node_count; });
-    fit_fields(node, node_fields());
+    fit_fields(node, node_fields(catalog.dimensions));
     node.recursion_limit = reflect_recursion(node.recursion_limit);
     if (node.joint >= catalog.joints.size()) {
         node.joint =
             std::min(NodeGene{}.joint, static_cast<std::uint8_t>(catalog.joints.size() - 1));
     }
-    if (node.mirror_axis > MirrorAxis::kAcross) node.mirror_axis = MirrorAxis::kAlong;
+    if (node.mirror_axis > last_mirror_axis(catalog.dimensions))
+        node.mirror_axis = MirrorAxis::kAlong;
+    repair_degrees(node, catalog);
     if (node.effector_kind >= catalog.effectors.size()) node.effector_kind = 0;
     repair_input(node.effector, SourceScope::kPart);
     repair_organs(node.organs, catalog);
     repair_neurons(node.neurons, gene_range::kMaxNodeNeurons, SourceScope::kPart, catalog);
     trim(node.edges, gene_range::kMaxEdges);
     for (EdgeGene& edge : node.edges)
-        fit_fields(edge, edge_fields());
+        fit_fields(edge, edge_fields(catalog.dimensions));
 }
 
 // Cutting off the end of the canonical order leaves all other nodes reachable, since every node
@@ -110,10 +139,12 @@ void restore_canonical_order(Genome& genome) {
 void repair(Genome& genome, const KindCatalog& catalog) {
     CAMBRIAN_ASSERT(!catalog.functions.empty() && !catalog.joints.empty(), "a filled catalog");
     if (genome.nodes.empty()) genome.nodes.emplace_back();
+    if (genome.dimensions == 3 && catalog.dimensions == 2) flatten(genome);
+    genome.dimensions = catalog.dimensions;
     for (NodeGene& node : genome.nodes)
         repair_node(node, genome.nodes.size(), catalog);
     repair_neurons(genome.brain, gene_range::kMaxBrainNeurons, SourceScope::kBrain, catalog);
-    fit_fields(genome, genome_fields());
+    fit_fields(genome, genome_fields(catalog.dimensions));
     if (genome.reproduction >= catalog.reproductions.size()) genome.reproduction = kNoOwnMethod;
     if (!std::isfinite(genome.hue)) genome.hue = 0.0;
     genome.hue -= std::floor(genome.hue);

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <string_view>
 
 namespace cambrian {
@@ -20,7 +21,10 @@ public:
     std::vector<std::string> run() {
         check_size("/nodes", genome_.nodes.size(), 1, gene_range::kMaxNodes);
         check_size("/brain", genome_.brain.size(), 0, gene_range::kMaxBrainNeurons);
-        check_fields("", genome_, genome_fields());
+        if (genome_.dimensions != catalog_.dimensions)
+            complain("/dimensions",
+                     fmt::format("{}, expected {}", genome_.dimensions, catalog_.dimensions));
+        check_fields("", genome_, genome_fields(catalog_.dimensions));
         if (genome_.reproduction >= catalog_.reproductions.size()) {
             complain("/reproduction", "is not a known method");
         }
@@ -90,7 +94,7 @@ private:
     }
 
     void check_node(const std::string& place, const NodeGene& node) {
-        check_fields(place, node, node_fields());
+        check_fields(place, node, node_fields(catalog_.dimensions));
         if (node.joint >= catalog_.joints.size())
             complain(place + "/joint", "is not a known joint");
         if (node.recursion_limit < 1 || node.recursion_limit > gene_range::kMaxRecursion) {
@@ -98,7 +102,9 @@ private:
                      fmt::format("{} is outside [1, {}]", node.recursion_limit,
                                  gene_range::kMaxRecursion));
         }
-        if (node.mirror_axis > MirrorAxis::kAcross) complain(place + "/mirrorAxis", "is unknown");
+        if (node.mirror_axis > last_mirror_axis(catalog_.dimensions))
+            complain(place + "/mirrorAxis", "is unknown");
+        check_degrees(place, node);
         if (node.effector_kind >= catalog_.effectors.size())
             complain(place + "/effector/kind", "is not a known effector");
         check_input(place + "/effector", node.effector, SourceScope::kPart);
@@ -112,6 +118,18 @@ private:
         check_size(place + "/edges", node.edges.size(), 0, gene_range::kMaxEdges);
         for (std::size_t i = 0; i < node.edges.size(); ++i)
             check_edge(fmt::format("{}/edges/{}", place, i), node.edges[i]);
+    }
+
+    void check_degrees(const std::string& place, const NodeGene& node) {
+        if (node.joint >= catalog_.joints.size()) return;
+        const int degrees = std::max(catalog_.joints[node.joint].degrees_of_freedom, 1);
+        const auto needed = static_cast<std::size_t>(degrees - 1);
+        check_size(place + "/further", node.further.size(), needed, needed);
+        for (std::size_t i = 0; i < node.further.size(); ++i) {
+            const std::string degree = fmt::format("{}/further/{}", place, i);
+            check_fields(degree, node.further[i], degree_fields());
+            check_input(degree + "/effector", node.further[i].effector, SourceScope::kPart);
+        }
     }
 
     void check_organ(const std::string& place, const OrganGene& organ) {
@@ -143,7 +161,7 @@ private:
     }
 
     void check_edge(const std::string& place, const EdgeGene& edge) {
-        check_fields(place, edge, edge_fields());
+        check_fields(place, edge, edge_fields(catalog_.dimensions));
         if (edge.target >= genome_.nodes.size()) {
             complain(place + "/target",
                      fmt::format("{}, but there are {} nodes", edge.target, genome_.nodes.size()));

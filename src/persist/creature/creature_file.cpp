@@ -5,6 +5,7 @@
 #include "core/text/number_text.h"
 #include "evolution/evaluation/evaluation.h"
 #include "evolution/individual/ancestry_digest.h"
+#include "evolution/settings/goal_defaults.h"
 #include "evolution/settings/trial_work.h"
 #include "genome/founders/disabled_kinds.h"
 #include "persist/creature/creature_card.h"
@@ -46,8 +47,24 @@ void read_scored(JsonReader& reader, CreatureText& text, ExperimentSettings& set
     check_trial(reader, settings);
 }
 
+// Files of version 4 are of creatures in space, and others are not.
+void check_dimensions(double version, int expected, JsonReader& reader, ErrorList& errors) {
+    double dimensions = 2.0;
+    if (reader.has("dimensions")) reader.plain_real("dimensions", dimensions);
+    const double known = version == kVersionOfSpace ? 3.0 : 2.0;
+    if (dimensions != known) {
+        errors.error("E04", "/dimensions",
+                     fmt::format("{}, but a file of version {} has {}", short_text(dimensions),
+                                 short_text(version), short_text(known)));
+    } else if (dimensions != expected) {
+        errors.error("E04", "/dimensions",
+                     fmt::format("the creature lives in {} dimensions, expected {}",
+                                 short_text(dimensions), expected));
+    }
+}
+
 // Checks the kind and version of the file; only a known version is read further.
-bool read_header(const JsonValue& root, JsonReader& reader, ErrorList& errors) {
+bool read_header(const JsonValue& root, int dimensions, JsonReader& reader, ErrorList& errors) {
     std::string format;
     if (!reader.has("format")) {
         errors.error("E03", "/format", "missing, expected " + in_quotes(kFormat));
@@ -63,12 +80,14 @@ bool read_header(const JsonValue& root, JsonReader& reader, ErrorList& errors) {
     double version = 1.0;
     reader.plain_real("version", version);
     const JsonValue* found = root.find("version");
-    if (version > kVersion) {
-        errors.error(
-            "E04", "/version",
-            fmt::format("{} is newer than this program ({})", short_text(version), kVersion));
+    if (version > kVersionOfSpace) {
+        errors.error("E04", "/version",
+                     fmt::format("{} is newer than this program ({})", short_text(version),
+                                 kVersionOfSpace));
     } else if (found != nullptr && (version < 1.0 || version != std::floor(version))) {
         errors.error("E04", "/version", "not a positive whole number");
+    } else {
+        check_dimensions(version, dimensions, reader, errors);
     }
     return errors.empty();
 }
@@ -235,6 +254,14 @@ void creature_format::write_genotype(std::string& text, const Individual& indivi
     writer.end();
 }
 
+int dimensions_of_creature(std::string_view text) {
+    ErrorList errors;
+    const auto root = parse_json(text, {}, errors);
+    if (!root || root->kind != JsonValue::Kind::kObject) return 2;
+    const JsonValue* named = root->find("dimensions");
+    return named != nullptr && named->number == 3.0 ? 3 : 2;
+}
+
 Result<CreatureDocument> parse_creature(std::string_view text, std::string_view source,
                                         const EvolutionKinds& kinds) {
     ErrorList errors;
@@ -245,9 +272,12 @@ Result<CreatureDocument> parse_creature(std::string_view text, std::string_view 
         return errors.as_error(source);
     }
     JsonReader reader(*root, {}, errors);
-    if (!read_header(*root, reader, errors)) return errors.as_error(source);
+    const int dimensions = kinds.creature.scene.dimensions;
+    if (!read_header(*root, dimensions, reader, errors)) return errors.as_error(source);
     CreatureText read;
+    read.genome.dimensions = dimensions;
     ExperimentSettings settings;
+    if (dimensions == 3) adopt_space_defaults(settings, kinds.goals);
     read_document(reader, read, settings, kinds);
     if (!errors.empty()) return errors.as_error(source);
     finish_identity(read, errors);
@@ -332,6 +362,7 @@ CreatureDocument creature_document(JudgedIndividual creature, const EvolutionKin
     const EvaluationResult& result = creature.individual->result;
     document.notes.confirmed = confirmed_score(result);
     document.notes.unit = goal_unit(creature.settings->goal, kinds.goals);
+    document.notes.simulator = simulator_version(creature.settings->world.environment.dimensions);
     const bool unfinished = result.outcome == Outcome::kStoppedEarly;  // it has no final score
     if (unfinished) creature.individual = without_score(*creature.individual);
     document.creature = std::move(creature);

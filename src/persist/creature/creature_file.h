@@ -72,6 +72,9 @@ Result<CreatureDocument> load_creature(const std::filesystem::path& path,
 Status save_creature(const std::filesystem::path& path, const CreatureDocument& document,
                      const EvolutionKinds& kinds);
 
+// Returns in how many dimensions the creature of a text lives; 2 for texts of other kinds.
+int dimensions_of_creature(std::string_view text);
+
 // Does the same for text; `source` names it in messages.
 Result<CreatureDocument> parse_creature(std::string_view text, std::string_view source,
                                         const EvolutionKinds& kinds);

@@ -27,6 +27,7 @@ KindNames names_of(const KindCatalog& catalog) {
         names.functions.push_back(function.id);
         names.arities.push_back(function.arity);
     }
+    names.dimensions = catalog.dimensions;
     for (const JointChoice& joint : catalog.joints)
         names.joints.push_back(joint.id);
     for (const EffectorEntry& effector : catalog.effectors)

@@ -20,9 +20,10 @@ namespace cambrian::creature_format {
 
 inline const std::string kFormat = "cambrian-creature";
 // Version 1 has numbers for sensor channels, version 2 names, version 3 organs. Creatures without
-// organs are written as version 2.
+// organs are written as version 2. Version 4 is that of creatures in space.
 inline constexpr int kVersion = 3;
 inline constexpr int kVersionWithoutOrgans = 2;
+inline constexpr int kVersionOfSpace = 4;
 inline constexpr std::size_t kMaxUid = 32;
 inline constexpr std::size_t kMaxWord = 64;
 inline constexpr double kMostWorlds = 100.0;
@@ -36,6 +37,7 @@ inline const std::vector<std::string> kSources = [] {
     return ids;
 }();
 inline const std::vector<std::string> kMirrorAxes = {"along", "across"};
+inline const std::vector<std::string> kMirrorAxesOfSpace = {"along", "across", "depth"};
 
 // The names of an enumeration's values up to the last one that files may have.
 template <class Choice>
@@ -50,6 +52,7 @@ inline const std::vector<std::string> kVerdicts = names_to(AuditVerdict::kInvali
 
 // The ids of the kinds; genes have indices into these lists.
 struct KindNames {
+    int dimensions = 2;
     std::vector<std::string> functions;
     std::vector<std::string> joints;
     std::vector<std::string> effectors;
@@ -145,14 +148,31 @@ void describe_neuron(Archive& archive, Neuron& neuron, SourceScope scope, const 
 }
 
 template <class Archive, class Edge>
-void describe_edge(Archive& archive, Edge& edge, std::size_t node_count) {
+void describe_edge(Archive& archive, Edge& edge, std::size_t node_count, int dimensions) {
     archive.type("edge");
     archive.index("target", edge.target, node_count, node_count == 1 ? "node" : "nodes");
-    archive.real("pos", edge.position, rule_of(edge_fields(), "pos"));
-    archive.real("angle", edge.angle, rule_of(edge_fields(), "angle"));
-    archive.real("scale", edge.scale, rule_of(edge_fields(), "scale"));
+    archive.real("pos", edge.position, rule_of(edge_fields(3), "pos"));
+    archive.real("angle", edge.angle, rule_of(edge_fields(3), "angle"));
+    archive.real("scale", edge.scale, rule_of(edge_fields(3), "scale"));
     archive.flag("reflect", edge.reflect);
     archive.flag("terminalOnly", edge.terminal_only);
+    if (dimensions != 3) return;
+    archive.real("height", edge.height, rule_of(edge_fields(3), "height"));
+    archive.real("tilt", edge.tilt, rule_of(edge_fields(3), "tilt"));
+    archive.real("roll", edge.roll, rule_of(edge_fields(3), "roll"));
+    archive.flag("reflectDepth", edge.reflect_depth);
+}
+
+// A degree of freedom of a joint in space besides the first.
+template <class Archive, class Degree>
+void describe_degree(Archive& archive, Degree& degree, const KindNames& names) {
+    archive.type("degree");
+    archive.pair("limits", degree.limit_low, rule_of(degree_fields(), "limits/0"),
+                 degree.limit_high, rule_of(degree_fields(), "limits/1"));
+    archive.object("effector", JsonLayout::kCompact, [&](Archive& inner) {
+        inner.type("furtherEffector");
+        describe_input(inner, degree.effector, SourceScope::kPart, "source", "weight", names);
+    });
 }
 
 template <class Archive, class Organ>
@@ -183,19 +203,26 @@ template <class Archive, class Node>
 void describe_node(Archive& archive, Node& node, std::size_t node_count, const KindNames& names) {
     archive.type("node");
     if (archive.has("uid")) archive.integer("uid", node.uid, 0, 4294967295.0);
-    archive.real("length", node.length, rule_of(node_fields(), "length"));
-    archive.real("width", node.width, rule_of(node_fields(), "width"));
+    archive.real("length", node.length, rule_of(node_fields(3), "length"));
+    archive.real("width", node.width, rule_of(node_fields(3), "width"));
     archive.choice("joint", node.joint, names.joints, "joint");
-    archive.pair("limits", node.limit_low, rule_of(node_fields(), "limits/0"), node.limit_high,
-                 rule_of(node_fields(), "limits/1"));
+    archive.pair("limits", node.limit_low, rule_of(node_fields(3), "limits/0"), node.limit_high,
+                 rule_of(node_fields(3), "limits/1"));
     archive.integer("recursionLimit", node.recursion_limit, 1, gene_range::kMaxRecursion);
     archive.flag("symmetric", node.symmetric);
-    archive.choice("mirrorAxis", node.mirror_axis, kMirrorAxes, "axis");
+    archive.choice("mirrorAxis", node.mirror_axis,
+                   names.dimensions == 3 ? kMirrorAxesOfSpace : kMirrorAxes, "axis");
     archive.object("effector", JsonLayout::kCompact, [&](Archive& inner) {
         inner.type("effector");
         inner.optional_choice("kind", node.effector_kind, names.effectors, "effector");
         describe_input(inner, node.effector, SourceScope::kPart, "source", "weight", names);
     });
+    if (names.dimensions == 3) {
+        archive.real("depth", node.depth, rule_of(node_fields(3), "depth"));
+        archive.optional_list(
+            "further", node.further, kMostDegrees - 1, JsonLayout::kCompact,
+            [&](Archive& inner, auto& degree) { describe_degree(inner, degree, names); });
+    }
     archive.optional_list(
         "organs", node.organs, gene_range::kMaxOrgans, JsonLayout::kCompact,
         [&](Archive& inner, auto& organ) { describe_organ(inner, organ, names); });
@@ -207,7 +234,9 @@ void describe_node(Archive& archive, Node& node, std::size_t node_count, const K
                      describe_neuron(inner, neuron, SourceScope::kPart, names);
                  });
     archive.list("edges", node.edges, 0, gene_range::kMaxEdges, JsonLayout::kCompact,
-                 [&](Archive& inner, auto& edge) { describe_edge(inner, edge, node_count); });
+                 [&](Archive& inner, auto& edge) {
+                     describe_edge(inner, edge, node_count, names.dimensions);
+                 });
 }
 
 template <class Archive, class Genes>
@@ -228,6 +257,7 @@ void describe_genes(Archive& archive, Genes& genome, const KindNames& names) {
 
 // The oldest version of the format that has all genes of a genome.
 inline int version_of(const Genome& genome) {
+    if (genome.dimensions == 3) return kVersionOfSpace;
     const bool organs = std::any_of(genome.nodes.begin(), genome.nodes.end(),
                                     [](const NodeGene& node) { return !node.organs.empty(); });
     return organs ? kVersion : kVersionWithoutOrgans;
@@ -236,7 +266,8 @@ inline int version_of(const Genome& genome) {
 template <class Archive>
 void begin_document(Archive& archive, const Genome& genome) {
     archive.text("format", kFormat, kMaxWord);
-    archive.integer("version", version_of(genome), 1, kVersion);
+    archive.integer("version", version_of(genome), 1, kVersionOfSpace);
+    if (genome.dimensions == 3) archive.integer("dimensions", genome.dimensions, 3, 3);
 }
 
 inline constexpr FieldRule kHue{
@@ -249,7 +280,12 @@ void describe_traits(Archive& archive, Genes& genome, const KindNames& names) {
     if (archive.has("reproduction"))
         archive.choice("reproduction", genome.reproduction, names.reproductions, "breeding method");
     if (archive.has("rootAngle"))
-        archive.real("rootAngle", genome.root_angle, genome_fields().front().rule);
+        archive.real("rootAngle", genome.root_angle, rule_of(genome_fields(3), "rootAngle"));
+    if (names.dimensions != 3) return;
+    if (archive.has("rootTilt"))
+        archive.real("rootTilt", genome.root_tilt, rule_of(genome_fields(3), "rootTilt"));
+    if (archive.has("rootRoll"))
+        archive.real("rootRoll", genome.root_roll, rule_of(genome_fields(3), "rootRoll"));
 }
 
 template <class Archive, class Document>

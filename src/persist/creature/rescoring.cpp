@@ -34,8 +34,9 @@ std::uint32_t last_judgement(const SavedExperiment& saved, std::uint32_t until) 
 }  // namespace
 
 std::optional<std::string> other_simulator(const std::string& version) {
-    if (version == kSimulatorVersion) return std::nullopt;
-    return fmt::format("scored by simulator {}, this is {}", version, kSimulatorVersion);
+    const std::string_view present = simulator_version(version.starts_with("3d-") ? 3 : 2);
+    if (version == present) return std::nullopt;
+    return fmt::format("scored by simulator {}, this is {}", version, present);
 }
 
 std::optional<std::string> other_simulator(const CreatureDocument& document) {
@@ -56,7 +57,8 @@ std::optional<std::string> other_simulator(const SavedExperiment& saved) {
 
 std::string scored_by(const SavedExperiment& saved, std::uint32_t born, std::uint32_t generation) {
     const std::uint32_t judged = std::max(born, last_judgement(saved, generation));
-    if (!saved.latest || judged > saved.latest->generation) return std::string(kSimulatorVersion);
+    if (!saved.latest || judged > saved.latest->generation)
+        return std::string(simulator_version(saved.settings->world.environment.dimensions));
     std::string version;
     for (const SimulatorChange& change : saved.simulators) {
         if (change.generation <= judged) version = change.version;
@@ -85,7 +87,7 @@ Result<CreatureDocument> rescored(CreatureDocument document, const EvolutionKind
     if (other_simulator(document) || document.result().digest != result.digest)
         document.notes.confirmed.reset();
     document.notes.unit = kinds.goals.find(document.settings().goal)->unit;
-    document.notes.simulator = kSimulatorVersion;
+    document.notes.simulator = simulator_version(document.settings().world.environment.dimensions);
     document.notes.ticks.clear();
     change_individual(document.creature, [&](Individual& each) { each.result = result; });
     complete_score(document, kinds, stop);

@@ -179,10 +179,10 @@ void ExperimentWriter::replace_kept(const char* role,
 
 // Records this program's simulator version from this generation on, unless it is recorded.
 void ExperimentWriter::name_simulator(std::uint32_t generation) {
-    if (known_.simulator == kSimulatorVersion) return;
-    database_.prepare("INSERT OR REPLACE INTO simulators VALUES (?, ?)")
-        .run(generation, kSimulatorVersion);
-    known_.simulator = kSimulatorVersion;
+    const std::string_view present = simulator_version(kinds_.creature.scene.dimensions);
+    if (known_.simulator == present) return;
+    database_.prepare("INSERT OR REPLACE INTO simulators VALUES (?, ?)").run(generation, present);
+    known_.simulator = present;
 }
 
 void ExperimentWriter::set_fact(const char* name, const std::string& value) {

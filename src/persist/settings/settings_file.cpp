@@ -11,10 +11,13 @@ constexpr std::size_t kMaxBytes = 1'000'000;
 }  // namespace
 
 ExperimentSettings default_settings(std::string_view goal, const EvolutionKinds& kinds) {
+    const bool in_space = kinds.creature.scene.dimensions == 3;
     ExperimentSettings settings;
+    if (in_space) settings.goal = kGoalOfSpace;
     if (!goal.empty()) settings.goal = goal;
     if (const GoalKind* kind = kinds.goals.find(settings.goal); kind != nullptr)
         adopt_defaults(settings, *kind);
+    if (in_space) adopt_space(settings.world);
     return settings;
 }
 

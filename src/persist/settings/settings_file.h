@@ -21,6 +21,9 @@ enum class SettingsUse : std::uint8_t { kExperiment, kPreserve };
 // Returns what a text describes: a preserve if it has the table [preserve].
 SettingsUse use_of_settings(std::string_view text);
 
+// Returns how many dimensions the world of settings has: 3 if they say so, otherwise 2.
+int dimensions_of_settings(std::string_view text);
+
 // Returns the settings of a file that has only the goal (an id, or empty for the default). Their
 // world is the goal's default.
 ExperimentSettings default_settings(std::string_view goal, const EvolutionKinds& kinds);

@@ -127,7 +127,26 @@ private:
     ExperimentSettings settings_;
 };
 
+// Settings of the plane may name their dimensions, which are no setting there.
+Status take_dimensions(toml::table& document, const EvolutionKinds& kinds) {
+    if (kinds.creature.scene.dimensions == 3) return {};
+    toml::table* environment = document["environment"].as_table();
+    if (environment == nullptr || !environment->contains("dimensions")) return {};
+    if (environment->at_path("dimensions").value_exact<std::int64_t>() != 2)
+        return Error{
+            "[environment] dimensions: this is possible only in two dimensions yet, so expected 2"};
+    environment->erase("dimensions");
+    return {};
+}
+
 }  // namespace
+
+int dimensions_of_settings(std::string_view text) {
+    const toml::parse_result document = parse_toml(text);
+    if (!document) return 2;
+    const auto named = document.table()["environment"]["dimensions"].value_exact<std::int64_t>();
+    return named == 3 ? 3 : 2;
+}
 
 Result<ExperimentSettings> parse_settings(std::string_view text, std::string_view source,
                                           const EvolutionKinds& kinds, SettingsUse use) {
@@ -160,6 +179,8 @@ Result<ExperimentSettings> merge_settings(const std::vector<SettingsText>& texts
                          "these are the settings of a preserve; `cambrian preserve` takes them");
             return errors.as_error(source);
         }
+        if (Status here = take_dimensions(document.table(), kinds); !here)
+            return Error{fmt::format("{}: {}", source, here.error().message)};
         goal = document["goal"]["behavior"].value_or(goal);
         has_ground = document["environment"]["ground"].value_exact<bool>().value_or(has_ground);
         documents.push_back(std::move(document).table());

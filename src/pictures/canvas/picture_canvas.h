@@ -55,6 +55,8 @@ public:
     void add_line(const Vec2& from, const Vec2& to, double width, const Color& color);
     // Draws a scene in a rectangle of full pixels, over all boxes.
     void add_scene(SceneFrame frame, const Camera& camera, const Area& area);
+    // Changes the picture when all scenes are drawn, in the order of the calls.
+    void add_touch(std::function<void(Image&)> touch) { touches_.push_back(std::move(touch)); }
     // Paints the area outside the rounded corners of a rectangle, below all text.
     void round_corners(const Area& area, double radius, const Color& around);
     // Draws text with its baseline at y. If `most` is greater than 0, the text is shortened to that

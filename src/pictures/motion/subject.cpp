@@ -5,6 +5,7 @@
 #include "core/text/shown_score.h"
 #include "evolution/evaluation/trials.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -28,8 +29,10 @@ std::string fitness_of(const CreatureDocument& document, const ExperimentSetting
 std::vector<CountedMuscles> muscles_of(const Phenotype& phenotype) {
     std::vector<CountedMuscles> muscles;
     const std::size_t deformers = phenotype.deformers();
-    if (!phenotype.effector_parts.empty() || deformers == 0)
-        muscles.push_back({phenotype.effector_parts.size(), "moving joint"});
+    const auto joints = static_cast<std::size_t>(
+        std::count_if(phenotype.effectors.begin(), phenotype.effectors.end(),
+                      [](const JointDegree& effector) { return effector.degree == 0; }));
+    if (joints > 0 || deformers == 0) muscles.push_back({joints, "moving joint"});
     if (deformers > 0) muscles.push_back({deformers, "deforming part"});
     return muscles;
 }

@@ -91,7 +91,8 @@ void add_outlines(SceneFrame& frame, const CreatureLook& look, double pixel, boo
 // Small dimples where parts are joined.
 void add_dimples(SceneFrame& frame, const CreatureLook& look, double pixel) {
     const double most = 0.03 * body_size(look.phenotype);
-    for (const std::uint16_t index : look.phenotype.effector_parts) {
+    for (const auto& [index, degree] : look.phenotype.effectors) {
+        if (degree > 0) continue;
         const PlannedPart& part = look.phenotype.plan.parts[index];
         const double radius = std::min(most, 0.3 * part.half_extents.head<2>().minCoeff());
         if (radius < 1.6 * pixel) continue;

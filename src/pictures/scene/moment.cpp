@@ -6,6 +6,7 @@
 #include "pictures/scene/follow_camera.h"
 #include "pictures/scene/living_look.h"
 #include "pictures/scene/small_life.h"
+#include "pictures/scene/space_moment.h"
 #include "simulator/contest/bout.h"
 
 #include <fmt/core.h>
@@ -19,7 +20,8 @@ namespace {
 // Frames between two looks at a body when its size is measured.
 constexpr std::size_t kFramesALook = 3;
 constexpr double kMarkPixels = 70.0;  // least distance of labelled ground marks, at label size 13
-constexpr double kTrailDot = 2.2;     // radius in pixels, at label size 13
+constexpr double kShareOfWidest = 0.66;  // bodies in space are hardly ever seen at their widest
+constexpr double kTrailDot = 2.2;        // radius in pixels, at label size 13
 
 // The cube and the opponent; their hues are left at 0.
 BoutLook bodies_of(const RecordedMotion& motion, const BoutFrame& frame) {
@@ -140,6 +142,8 @@ Character character_of(const RecordedMotion& motion, bool walks, double time) {
 
 double scale_to_fit(const RecordedMotion& motion, const Area& area, double share) {
     Vec2 most = Vec2::Constant(0.01);
+    if (motion.phenotype->plan.parts.front().half_extents.z() > 0.0)
+        most = most.cwiseMax(Vec2::Constant(kShareOfWidest * widest_body(motion)));
     for (std::size_t i = 0; i < motion.frames.size(); i += kFramesALook)
         most = most.cwiseMax(size_of_body(motion, motion.frames[i]));
     Camera camera;
@@ -182,6 +186,8 @@ const DrawnWorld& world_of(const Subject& subject) {
 
 void add_moment(PictureCanvas& canvas, const Area& area, const Subject& subject,
                 const Moment& moment, const MomentStyle& style) {
+    if (subject.environment().dimensions == 3)
+        return add_space_moment(canvas, area, subject, moment, style);
     const Viewport viewport{area.width, area.height};
     Camera camera;
     camera.pixels_per_metre = style.pixels_per_metre;

@@ -66,7 +66,8 @@ void add_touched_faces(SceneFrame& frame, const CreatureLook& look, std::size_t 
 }
 
 void add_pivots(SceneFrame& frame, const CreatureLook& look, double pixel) {
-    for (const std::uint16_t index : look.phenotype.effector_parts) {
+    for (const auto& [index, degree] : look.phenotype.effectors) {
+        if (degree > 0) continue;
         const PlannedPart& part = look.phenotype.plan.parts[index];
         const double narrow = std::min(part.half_extents.x(), part.half_extents.y());
         const double radius = std::max(2.0 * pixel, std::min(kPivotRadius, 0.4 * narrow));

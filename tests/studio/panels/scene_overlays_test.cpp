@@ -83,8 +83,7 @@ TEST_CASE("plain scenery is none, light scenery is less than the full one", "[st
 TEST_CASE("the needle of a joint is between its limits", "[studio][overlays]") {
     OverlayRun run;
     const SceneFrame frame = run.drawn(add_joint_limits);
-    CHECK(frame.shapes.size() >=
-          4 * run.studio.playback().creature().phenotype().effector_parts.size());
+    CHECK(frame.shapes.size() >= 4 * run.studio.playback().creature().phenotype().effectors.size());
 }
 
 TEST_CASE("the readings of sensors are drawn at their parts", "[studio][overlays]") {

@@ -53,7 +53,7 @@ TEST_CASE("a brain's graph has every live neuron and every effector", "[studio][
                           [kind](const BrainNode& node) { return node.kind == kind; }));
     };
     CHECK(count(BrainNodeKind::kNeuron) == phenotype.network.order.size());
-    CHECK(count(BrainNodeKind::kEffector) == phenotype.effector_parts.size());
+    CHECK(count(BrainNodeKind::kEffector) == phenotype.effectors.size());
     CHECK(count(BrainNodeKind::kSensor) == phenotype.sensors.size());
     for (const BrainLink& link : graph.links)
         CHECK(std::max(link.edge.from, link.edge.to) < graph.nodes.size());

@@ -49,9 +49,9 @@ private:
     }
     void add_effectors() {
         first_effector_ = graph_.nodes.size();
-        for (std::size_t i = 0; i < body_.effector_parts.size(); ++i) {
+        for (std::size_t i = 0; i < body_.effectors.size(); ++i) {
             graph_.nodes.push_back(
-                {BrainNodeKind::kEffector, "Joint", body_.effector_parts[i], i, {}});
+                {BrainNodeKind::kEffector, "Joint", body_.effectors[i].part, i, {}});
         }
         for (const GrownOrgan& organ : body_.organs) {
             const std::size_t output = graph_.nodes.size() - first_effector_;

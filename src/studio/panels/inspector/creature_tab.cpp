@@ -113,7 +113,7 @@ void draw_body(const FrameContext& frame) {
     section("Body and brain");
     const Phenotype& phenotype = frame.viewer.playback.creature().phenotype();
     fact("Parts", std::to_string(phenotype.parts.size()));
-    fact("Moving joints", std::to_string(phenotype.effector_parts.size()));
+    fact("Moving joints", std::to_string(phenotype.effectors.size()));
     fact("Connected neurons", std::to_string(phenotype.network.order.size()));
     fact("Sensors in use", std::to_string(phenotype.sensors.size()));
     const double density = frame.viewer.playback.creature().replay().environment().density;

@@ -224,7 +224,7 @@ void draw_part(GeneRows& rows, NodeGene& node, std::size_t index, const Kinds& k
     const bool slides = kinds.scene.joints[node.joint].motion == JointMotion::kSlide;
     if (index > 0)
         rows.choice(owner + "joint", "Joint", node.joint, labels_of(kinds.catalog.joints));
-    for (const GeneField<NodeGene>& field : node_fields()) {
+    for (const GeneField<NodeGene>& field : node_fields(2)) {
         const bool of_joint = std::string_view(field.rule.unit) == "rad";
         if (index > 0 || !of_joint) rows.field(owner, node, field, slides);
     }
@@ -334,7 +334,7 @@ void draw_edges(GeneRows& rows, NodeGene& node, std::size_t index) {
         EdgeGene& edge = node.edges[i];
         const std::string owner = fmt::format("part {} edge {} ", index, i);
         GeneRows::heading(fmt::format("Grows gene {}", edge.target));
-        rows.numbers(owner, edge, edge_fields());
+        rows.numbers(owner, edge, edge_fields(2));
         rows.flag(owner + "reflect", "Mirrored", edge.reflect,
                   "The part that grows here is a mirror image.");
         rows.flag(owner + "terminal only", "Only at the end", edge.terminal_only,
@@ -349,7 +349,7 @@ GeneEdit gene_table(Genome& genome, std::size_t node, const Kinds& kinds) {
     GeneRows rows(kinds, edit);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(8), px(3)));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(8), px(3)));
-    if (node == 0) rows.numbers("", genome, genome_fields());
+    if (node == 0) rows.numbers("", genome, genome_fields(2));
     draw_part(rows, genome.nodes[node], node, kinds);
     draw_organs(rows, genome, node, kinds);
     draw_edges(rows, genome.nodes[node], node);

@@ -81,7 +81,8 @@ void add_lamp(SceneFrame& frame, const OverlayScene& over, std::size_t index) {
 void add_joint_limits(SceneFrame& frame, const OverlayScene& over) {
     const Color color = with_alpha(over.palette.text, 0.75F);
     const double width = 1.5 * over.pixel;
-    for (const std::uint16_t index : over.look.phenotype.effector_parts) {
+    for (const auto& [index, degree] : over.look.phenotype.effectors) {
+        if (degree > 0) continue;
         const PlannedPart& part = over.look.phenotype.plan.parts[index];
         const JointPlace joint = place_of(over, index);
         if (joint.slides) {
@@ -105,7 +106,8 @@ void add_joint_limits(SceneFrame& frame, const OverlayScene& over) {
 }
 
 void add_joint_torques(SceneFrame& frame, const OverlayScene& over) {
-    for (const std::uint16_t index : over.look.phenotype.effector_parts) {
+    for (const auto& [index, degree] : over.look.phenotype.effectors) {
+        if (degree > 0) continue;
         const PlannedPart& part = over.look.phenotype.plan.parts[index];
         if (part.max_effort <= 0.0) continue;
         const double share =

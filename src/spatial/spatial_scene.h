@@ -1,0 +1,13 @@
+#pragma once
+
+// Physics in space behind the interface of scenes (world/physics_scene.h): bodies in a medium,
+// without ground or contact yet.
+
+#include "core/result.h"
+#include "world/scene_kind.h"
+
+namespace cambrian {
+
+SceneKind spatial_scene_kind();
+
+}  // namespace cambrian

@@ -1,0 +1,38 @@
+#pragma once
+
+// Bodies and scenes for tests of physics in space.
+
+#include "core/random.h"
+#include "spatial/spatial_scene.h"
+
+#include <memory>
+
+namespace cambrian {
+
+// Returns one box at rest whose centre is the origin.
+BodyPlan one_solid(const Vec3& half_extents);
+
+// Returns a random tree with all kinds of joints in space, mirrored or not, in the attitude of its
+// genes. Muscles have this strength, N/m^2.
+BodyPlan random_solid(RandomStream& random, int parts, double strength);
+
+// Returns a planar plan with this depth (m) in space. Its densities are those of the plane over the
+// depth; efforts stay.
+BodyPlan with_depth(BodyPlan plan, double depth);
+
+// Turns a plan with all that is in it.
+BodyPlan turned_plan(BodyPlan plan, const Rotation& turn);
+
+Environment weightless();  // no gravity, ground or medium; 1000 kg/m^3
+Environment spatial_water();
+
+std::unique_ptr<PhysicsScene> make_solid(const BodyPlan& plan, const Environment& environment,
+                                         const SceneSettings& settings = {});
+
+// Sets the target of every degree of freedom to a sine of up to 1 Hz of its own.
+void swing(PhysicsScene& scene, const BodyPlan& plan);
+
+// Returns the angular momentum about the centre of mass, from the parts.
+Vec3 angular_momentum(const PhysicsScene& scene, double density);
+
+}  // namespace cambrian

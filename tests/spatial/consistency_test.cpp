@@ -1,0 +1,165 @@
+#include "dynamics/planar_scene.h"
+#include "spatial/algebra.h"
+#include "spatial/bodies.h"
+#include "support/body_plans.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+SceneSettings exact_settings() {
+    SceneSettings settings;
+    settings.integrator = "dormand-prince";
+    settings.tolerance = 1e-8;
+    settings.max_evaluations = 1e6;
+    return settings;
+}
+
+void swing_for(PhysicsScene& scene, const BodyPlan& plan, int ticks) {
+    for (int tick = 0; tick < ticks; ++tick) {
+        swing(scene, plan);
+        REQUIRE(scene.advance(1.0 / 60) == SceneStatus::kRunning);
+    }
+}
+
+// Returns the greatest distance of corresponding parts, where `place` takes points of the first
+// scene to the second.
+template <class Place>
+double farthest(const PhysicsScene& first, const PhysicsScene& second, Place place) {
+    double most = 0.0;
+    for (std::size_t p = 0; p < first.part_count(); ++p) {
+        for (const double share : {-1.0, 0.0, 1.0}) {
+            const Vec3 at = place(point_on_axis(first, p, share));
+            most = std::fmax(most, (at - point_on_axis(second, p, share)).norm());
+        }
+    }
+    return most;
+}
+
+// Returns whether parts touch one another or a joint is near its stop.
+bool touches(const PhysicsScene& scene) {
+    for (std::size_t p = 0; p < scene.part_count(); ++p) {
+        if (std::fabs(scene.joint_coordinate(p)) > 2.4) return true;
+        for (std::size_t face = 0; face < kFaceCount; ++face) {
+            if (scene.face_touched(p, static_cast<Face>(face))) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+// C1, C2. A body of boxes with one depth, whose density and drag are those of the plane over that
+// depth, moves in its plane as planar physics has it.
+TEST_CASE("A planar body moves in space as it does in the plane") {
+    constexpr double depth = 0.2;
+    int all_ticks = 0;
+    for (const bool wet : {false, true}) {
+        for (std::uint64_t creature = 0; creature < 20; ++creature) {
+            RandomStream random(stream_seed({103, creature}));
+            const int parts = random.between(3, 12);
+            const BodyPlan targets = random_tree(random, parts, 0.2, 20.0, 0.0);
+            BodyPlan plan = targets;
+            for (PlannedPart& part : plan.parts) {
+                part.limit_low = -2.6;
+                part.limit_high = 2.6;
+            }
+            Environment flat = wet ? open_water() : empty_space();
+            Environment space = flat;
+            for (double* number :
+                 {&space.density, &space.viscosity_linear, &space.viscosity_quadratic})
+                *number /= depth;
+            auto planar = planar_scene_kind().make(plan, flat, exact_settings());
+            REQUIRE(planar);
+            const auto solid = make_solid(with_depth(plan, depth), space, exact_settings());
+            CHECK(solid->mass() == Approx((*planar)->mass()).epsilon(1e-12));
+            // Planar parts touch one another; those in space do not yet.
+            double apart = 0.0;
+            double out = 0.0;
+            int ticks = 0;
+            for (; ticks < 300 && !touches(**planar); ++ticks) {
+                apart = farthest(*solid, **planar, [](const Vec3& point) { return point; });
+                flail(**planar, targets, 1.0);
+                flail(*solid, targets, 1.0);
+                REQUIRE((*planar)->advance(kTestTick) == SceneStatus::kRunning);
+                REQUIRE(solid->advance(kTestTick) == SceneStatus::kRunning);
+            }
+            for (std::size_t p = 0; p < plan.parts.size(); ++p) {
+                const Twist twist = solid->part_twist(p);
+                out = std::fmax(out, std::fabs(solid->part_center(p).z()));
+                out = std::fmax(out, twist.angular.head<2>().cwiseAbs().maxCoeff());
+            }
+            all_ticks += ticks;
+            CAPTURE(wet, parts, apart, out);
+            CHECK(apart < 1e-6);
+            CHECK(out < 1e-9);
+        }
+    }
+    CHECK(all_ticks > 1500);
+}
+
+// C5.
+TEST_CASE("Motion does not depend on the direction that a body faces") {
+    for (std::uint64_t creature = 0; creature < 20; ++creature) {
+        RandomStream random(stream_seed({104, creature}));
+        const BodyPlan plan = random_solid(random, random.between(3, 12), 25000.0);
+        const Rotation yaw = spatial::rotation_by(Vec3(0.0, random.uniform(0.2, 3.0), 0.0));
+        const BodyPlan other = turned_plan(plan, yaw);
+        const auto scene = make_solid(plan, spatial_water());
+        const auto turned = make_solid(other, spatial_water());
+        swing_for(*scene, plan, 300);
+        swing_for(*turned, other, 300);
+        const double apart =
+            farthest(*scene, *turned, [&yaw](const Vec3& point) { return Vec3(yaw * point); });
+        CAPTURE(creature, apart);
+        CHECK(apart < 1e-9);
+    }
+}
+
+// C6, C7.
+TEST_CASE("Motion does not depend on the place or the speed of the whole") {
+    RandomStream random(stream_seed({105}));
+    const BodyPlan plan = random_solid(random, 8, 25000.0);
+    for (const bool wet : {false, true}) {
+        const Environment environment = wet ? spatial_water() : weightless();
+        const auto scene = make_solid(plan, environment);
+        const auto moved = make_solid(plan, environment);
+        moved->translate(Vec3(1000.0, -300.0, 500.0));
+        const auto moving = make_solid(plan, environment);
+        SceneMotion motion = moving->motion();
+        motion.speeds[motion.speeds.size() - 3] += 5.0;
+        REQUIRE(moving->begin_at(motion));
+        for (const auto* each : {&scene, &moved, &moving})
+            swing_for(**each, plan, 300);
+        for (std::size_t p = 0; p < plan.parts.size(); ++p) {
+            const Rotation here = scene->part_pose(p).orientation;
+            CHECK(here.angularDistance(moved->part_pose(p).orientation) < 1e-12);
+            CHECK(std::fabs(scene->joint_coordinate(p) - moved->joint_coordinate(p)) < 1e-12);
+            if (wet) continue;
+            CHECK(here.angularDistance(moving->part_pose(p).orientation) < 1e-12);
+            CHECK(std::fabs(scene->joint_coordinate(p) - moving->joint_coordinate(p)) < 1e-12);
+        }
+    }
+}
+
+TEST_CASE("A saved state goes on with the same bits") {
+    RandomStream random(stream_seed({106}));
+    const BodyPlan plan = random_solid(random, 9, 25000.0);
+    const auto scene = make_solid(plan, spatial_water());
+    swing_for(*scene, plan, 60);
+    const auto saved = scene->save();
+    const auto digest = [&] {
+        swing_for(*scene, plan, 120);
+        Hash64 hash;
+        scene->add_to_digest(hash);
+        return hash.value();
+    };
+    const std::uint64_t first = digest();
+    scene->restore(*saved);
+    CHECK(digest() == first);
+}
+
+}  // namespace cambrian
