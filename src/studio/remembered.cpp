@@ -29,6 +29,7 @@ constexpr std::array kFlags = {
     Flag{"inspector-panel", [](ViewState& view) -> bool& { return view.panels.right; }},
     Flag{"bottom-panel", [](ViewState& view) -> bool& { return view.panels.bottom; }},
     Flag{"all-settings", [](ViewState& view) -> bool& { return view.all_settings; }},
+    Flag{"rival", [](ViewState& view) -> bool& { return view.rival; }},
     Flag{"tour-taken", [](ViewState& view) -> bool& { return view.tour_taken; }},
 };
 

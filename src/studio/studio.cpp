@@ -101,20 +101,12 @@ private:
         } else if (!options_.evolve) {
             controller_.reopen_last();
         }
-        if (controller_.frame_context().viewer.playback.empty()) open_sample();
-        if (controller_.frame_context().viewer.playback.empty()) controller_.show_random_creature();
+        if (controller_.frame_context().viewer.playback.empty()) controller_.show_founders();
         if (options_.evolve) {
             Requests requests;
             requests.ask(ToggleEvolution{});
             controller_.carry_out(requests);
         }
-    }
-
-    // Opens the sample creature of the experiment's goal, if there is one.
-    void open_sample() {
-        const FrameContext context = controller_.frame_context();
-        const GoalKind* goal = context.kinds.goals.find(context.experiment.editor.draft().goal);
-        if (goal != nullptr && !goal->sample.empty()) controller_.files().open_sample(goal->sample);
     }
 
     // Waits for the next frame; a display that sets a lower frame rate makes it later.

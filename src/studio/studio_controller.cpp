@@ -36,6 +36,7 @@ struct StudioController::Router {
     void operator()(const GuideRequest& request) const { self.guide_.carry_out(request); }
     void operator()(const MachinesRequest& request) const { self.machines_.carry_out(request); }
     void operator()(const ComparisonRequest& request) const { self.comparison_.carry_out(request); }
+    void operator()(const CoachRequest& request) const { self.coach_.carry_out(request); }
     void operator()(const WindowRequest& request) const { self.window_.carry_out(request); }
 };
 
@@ -53,6 +54,7 @@ StudioController::StudioController(const Remembered& remembered, const Evolution
       picking_(services_.shared, view_, viewer_, experiment_, machines.threads),
       preserve_(services_.shared, {viewer_, experiment_, generations_, picking_}, machines.threads),
       comparison_(services_.shared, experiment_, machines.threads),
+      coach_(services_.shared, view_, viewer_, experiment_),
       files_(services_.shared, view_, {viewer_, experiment_, generations_, picking_, preserve_}),
       memory_(
           {view_, experiment_.open().editor().draft(), remembered.experiment, remembered.cluster}) {
@@ -84,6 +86,7 @@ void StudioController::use_assets(const std::filesystem::path& folder) {
     guide_.read(folder / "help", keys_text(),
                 words_text(std::as_const(experiment_).open().fields()));
     files_.use_samples(folder / "creatures");
+    coach_.use_samples(folder / "creatures");
     preserve_.use_assets(folder);
 }
 
@@ -98,6 +101,7 @@ void StudioController::update(double now, double elapsed) {
     comparison_.update();
     if (!picking_.on() && !preserve_.on()) generations_.follow_newest();
     generations_.follow_audit();
+    coach_.update(elapsed);
     const Stopwatch spent;
     picking_.update(elapsed);
     preserve_.update();
@@ -128,13 +132,14 @@ FrameContext StudioController::frame_context() const {
             .picking = picking_.facts(),
             .machines = &machines_.facts(),
             .comparison = &comparison_.facts(),
+            .coach = coach_.facts(),
             .preserve = preserve_.facts(),
             .preserve_card = preserve_.card()};
 }
 
 bool StudioController::animating() const {
     const Notice* notice = services_.feedback.notice();
-    const bool fading = notice != nullptr && notice->kind == NoticeKind::kDone;
+    const bool fading = notice != nullptr && notice->fades();
     const bool moving = preserve_.world_shown() ? preserve_.animating() : viewer_.animating();
     return moving || files_.animating() || picking_.on() || experiment_.open().running() ||
            comparison_.facts().running || !services_.worker.idle() || fading;

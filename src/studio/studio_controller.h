@@ -4,6 +4,7 @@
 // its requests; the studio controller routes requests to them and lets them act in order, once a
 // frame.
 
+#include "studio/coach/coach_controller.h"
 #include "studio/comparison/comparison_controller.h"
 #include "studio/files/files_controller.h"
 #include "studio/frame/frame_context.h"
@@ -30,8 +31,8 @@ public:
     void keep_memory();
     // Sets the folder of the help pages and samples.
     void use_assets(const std::filesystem::path& folder);
-    // Displays a random creature, so that the viewport is never empty.
-    void show_random_creature() { experiment_.show_random_creature(); }
+    // Displays the founders of the run, so that the viewport is never empty.
+    void show_founders() { experiment_.show_founder(0); }
 
     // Must be called once a frame, before drawing. Handles results of the engine and of files, then
     // plays on by `elapsed` seconds. `now` is in seconds of the window's clock.
@@ -63,6 +64,7 @@ private:
     PickingController picking_;
     PreserveController preserve_;
     ComparisonController comparison_;
+    CoachController coach_;
     FilesController files_;
     Memory memory_;
     double playback_seconds_ = 0.0;

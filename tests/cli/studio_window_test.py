@@ -305,11 +305,12 @@ class StudioWindow(StudioTest):
         self.assert_painted(display.picture("opened-card-1280x800.png"))
         self.quit()
 
-    def test_settings_of_a_goal_open_with_a_creature_that_was_evolved_for_it(self):
+    def test_settings_of_a_goal_open_with_the_founders_of_their_run(self):
         display = self.open_display()
-        for goal, sample in (("swimming", "Dart"), ("flying", "Butterfly")):
+        for goal in ("swimming", "flying"):
             self.start(display, ROOT / f"assets/settings/{goal}.toml")
-            self.wait_for("shown", title=sample)
+            founders, _ = self.wait_for("founders")
+            self.assertEqual(founders["count"], 20)
             self.assert_painted(display.picture(f"{goal}-settings-1280x800.png"))
             self.quit()
 

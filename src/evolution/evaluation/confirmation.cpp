@@ -75,8 +75,9 @@ bool Confirmation::try_again(const std::vector<IndividualPtr>& creatures,
         }
     }
     std::vector<std::optional<EvaluationResult>> results(requests.size());
+    EvaluationProgress confirming;  // readers count creatures, not how often each is tried
     const bool whole =
-        trials.backend.evaluate(requests, results, trials.settings, trials.progress, trials.stop);
+        trials.backend.evaluate(requests, results, trials.settings, confirming, trials.stop);
     for (std::size_t i = 0; i < results.size(); ++i) {
         if (results[i]) tried_.emplace(keys[i], results[i]->fitness);
     }

@@ -169,6 +169,7 @@ std::vector<Action> view_actions() {
         {"panel-left", "", "Experiment", switch_side<left, right>, {}, is_side_shown<left, right>, "Show or hide the panel on the left."},
         {"panel-right", "", "Inspector", switch_side<right, left>, {}, is_side_shown<right, left>, "Show or hide the panel on the right."},
         {"panel-bottom", "", "Timeline and population", toggles<panels, &PanelSizes::bottom>, {}, is_on<panels, &PanelSizes::bottom>, "Show or hide the panels at the bottom."},
+        {"rival", "", "A rival", toggles<&ViewState::rival>, {}, is_on<&ViewState::rival>, "A sample for the same goal in the same world runs along: the next one that the champions have to beat."},
         {"size-larger", "Ctrl+Plus", "Interface size: larger", change_size<1>, {}, {}, "Letters and controls of the window grow, up to 200 %."},
         {"size-smaller", "Ctrl+Minus", "Interface size: smaller", change_size<-1>, {}, {}, "Down to 80 %."},
         {"theme", "Ctrl+L", "Light theme", switch_theme, {}, is_light, "Or the dark one.", true},

@@ -1,8 +1,7 @@
 #include "studio/experiment/experiment_controller.h"
 
-#include "core/random.h"
+#include "evolution/generation.h"
 #include "evolution/settings/goal_defaults.h"
-#include "genome/founders/random_genome.h"
 #include "picking/handover.h"
 #include "studio/experiment/setting_groups.h"
 
@@ -153,14 +152,11 @@ void ExperimentController::release(bool resume) {
     if (resuming_) experiment_.send(ResumeEvolution{});
 }
 
-void ExperimentController::show_random_creature() {
+void ExperimentController::show_founder(std::size_t place) {
     const auto settings = std::make_shared<const ExperimentSettings>(experiment_.editor().draft());
-    RandomStream stream(settings->seed);
-    auto genome = std::make_shared<const Genome>(
-        random_genome(settings->founders, services_.kinds.creature.catalog, stream));
-    viewer_.show({.creature = unjudged(std::move(genome), settings, "random"),
-                  .source = ExhibitSource::kPopulation,
-                  .title = "A random creature"});
+    viewer_.show({.creature = {0, make_immigrant(*settings, services_.kinds, 0, place), settings},
+                  .source = ExhibitSource::kFounder,
+                  .title = fmt::format("Random creature {}", place + 1)});
 }
 
 void ExperimentController::take_over_world(const Exhibit& exhibit) {
@@ -180,6 +176,10 @@ void ExperimentController::begin_run(std::vector<GenomePtr> founders, RunSeed se
     if (!status) return services_.feedback.report(status);
     services_.feedback.log().write("new run");
     new_run_last_ = any;
+    if (experiment_.begins_at_random()) {
+        view_.newest_champion = false;  // that of the run before is still in the snapshot
+        show_founder(0);
+    }
     services_.feedback.tell(
         NoticeKind::kDone,
         fmt::format("A new run begins, with seed {}.{}", experiment_.editor().draft().seed,

@@ -8,6 +8,8 @@
 #include "studio/look/view_state.h"
 #include "studio/viewer/viewer_controller.h"
 
+#include <cstddef>
+
 namespace cambrian {
 
 class ExperimentController {
@@ -29,7 +31,8 @@ public:
     void suspend();
     // Ends the suspension; with `resume`, evolution continues if it was running before.
     void release(bool resume);
-    void show_random_creature();
+    // Displays a creature of generation 0 of a run of random creatures with the draft settings.
+    void show_founder(std::size_t place);
     // Whether a new run was the last thing done, so that undoing means to open the run before.
     bool new_run_last() const { return new_run_last_ && !experiment_.files().before().empty(); }
     // Must be called when the user does something else that can be undone.

@@ -112,6 +112,7 @@ void OpenExperiment::draw_seed() {
 void OpenExperiment::start(std::vector<GenomePtr> founders) {
     files_.begin(*snapshot_);
     run_seed_ = editor_.draft().seed;
+    begins_at_random_ = founders.empty();
     send(StartExperiment{std::make_shared<const ExperimentSettings>(editor_.draft()),
                          std::move(founders), files_.kept()});
 }
@@ -126,6 +127,7 @@ void OpenExperiment::go_on(SavedExperiment saved, std::shared_ptr<ExperimentFile
     files_.open(*snapshot_, std::move(file), path);
     editor_.replace(completed(*setting_changes(saved).back().settings, fields_));
     run_seed_ = editor_.draft().seed;
+    begins_at_random_ = false;
     send(ContinueExperiment{std::make_shared<const SavedExperiment>(std::move(saved)),
                             files_.kept()});
 }

@@ -49,6 +49,8 @@ public:
     bool running() const { return snapshot_->status == EngineStatus::kRunning; }
     // Whether nothing has been evaluated yet, so that every setting may still be edited.
     bool fresh() const;
+    // Whether the run began with random creatures that its seed gives.
+    bool begins_at_random() const { return begins_at_random_; }
 
     // Sends a command to the engine, as soon as its inbox has room.
     void send(EngineCommand command) { engine_.send(std::move(command)); }
@@ -72,6 +74,7 @@ private:
     RunFiles files_;
     unsigned runs_begun_ = 0;
     std::uint64_t run_seed_;  // of the present run
+    bool begins_at_random_ = true;
     EvolutionEngine engine_;
     std::shared_ptr<const EvolutionSnapshot> snapshot_;
     ProgressView progress_;

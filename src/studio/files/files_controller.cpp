@@ -170,6 +170,7 @@ struct FilesController::Receiver {
     void operator()(const SettingsLoaded& event) const {
         const Status status = self.subjects_.experiment.open().replace(event.settings);
         if (!status) return feedback().report(status);
+        self.subjects_.experiment.show_founder(0);
         log("loaded", event.path);
         feedback().tell(NoticeKind::kDone,
                         fmt::format("Opened {}. Press Evolve to begin with these settings.",
@@ -268,12 +269,6 @@ void FilesController::open_now(const std::filesystem::path& path, ExhibitSource 
     show(creature->document, source, path);
     if (source == ExhibitSource::kFile)
         services_.feedback.log().write("loaded", {{"path", path.string()}});
-}
-
-void FilesController::open_sample(const std::string& name) {
-    const std::filesystem::path sample = samples_folder_ / (name + std::string(kCreatureEnding));
-    std::error_code ignored;
-    if (std::filesystem::exists(sample, ignored)) open_now(sample, ExhibitSource::kSample);
 }
 
 void FilesController::reopen(const std::filesystem::path& path) {

@@ -47,8 +47,6 @@ public:
     void use_samples(const std::filesystem::path& folder) { samples_folder_ = folder; }
     // Reads a file at once, before the first frame.
     void open_now(const std::filesystem::path& path, ExhibitSource source);
-    // Reads the sample creature of that name at once, if it is there.
-    void open_sample(const std::string& name);
     // Reads, in the background, the experiment that was open when the program was last used.
     void reopen(const std::filesystem::path& path);
     // Whether reopen() is still reading.

@@ -21,10 +21,14 @@ struct FrameContext {
     const PickingView* picking = nullptr;        // null unless the user selects by hand
     const MachinesView* machines = nullptr;      // null where nothing is evaluated
     const ComparisonView* comparison = nullptr;  // null where nothing is compared
-    const PreserveView* preserve = nullptr;      // null while no preserve is open
+    CoachView coach = {};
+    const PreserveView* preserve = nullptr;  // null while no preserve is open
     PreserveCardView preserve_card = {};
 
     bool grid_shown() const { return picking != nullptr && !picking->single; }
+    bool founders_shown() const {
+        return coach.founders != nullptr && picking == nullptr && preserve == nullptr;
+    }
     bool world_shown() const { return preserve != nullptr && !preserve->single; }
     // The tour waits while a preserve is open.
     bool tour_shown() const { return guide.tour_step >= 0 && preserve == nullptr; }

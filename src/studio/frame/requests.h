@@ -3,6 +3,7 @@
 // The requests of all panels in the order in which they were made. The studio controller carries
 // them out after the frame is drawn. Each subject defines its own requests in its contract.
 
+#include "studio/coach/coach_contract.h"
 #include "studio/comparison/comparison_contract.h"
 #include "studio/experiment/experiment_contract.h"
 #include "studio/experiment/generations_contract.h"
@@ -23,7 +24,7 @@ namespace cambrian {
 
 using StudioRequest = std::variant<ViewerRequest, ExperimentRequest, GenerationsRequest,
                                    PickingRequest, PreserveRequest, FilesRequest, GuideRequest,
-                                   MachinesRequest, ComparisonRequest, WindowRequest>;
+                                   MachinesRequest, ComparisonRequest, CoachRequest, WindowRequest>;
 
 namespace request_detail {
 

@@ -77,6 +77,7 @@ struct ViewState {
     PanelSizes panels;
     bool all_settings = false;  // the panel of settings shows more than the plain ones
     GhostChoice ghosts = GhostChoice::kNone;
+    bool rival = true;            // a sample runs beside the champions
     double speed = 1.0;           // speed of playback; 1 is real time
     bool tour_taken = false;      // the user took or declined the tour
     bool newest_champion = true;  // displays the best of each finished generation

@@ -14,6 +14,8 @@
 #include "studio/panels/generations/population_panel.h"
 #include "studio/panels/generations/timeline_panel.h"
 #include "studio/panels/inspector/inspector_panel.h"
+#include "studio/panels/opening/founders_panel.h"
+#include "studio/panels/opening/founders_strip.h"
 #include "studio/panels/picking/picking_grid_panel.h"
 #include "studio/panels/picking/picking_panel.h"
 #include "studio/panels/picking/picking_strip.h"
@@ -78,6 +80,12 @@ bool grid_shown(const FrameContext& frame) {
 bool creature_shown(const FrameContext& frame) {
     return !frame.grid_shown() && !frame.world_shown();
 }
+bool founders_shown(const FrameContext& frame) {
+    return frame.founders_shown();
+}
+bool alone_shown(const FrameContext& frame) {
+    return creature_shown(frame) && !founders_shown(frame);
+}
 bool no_preserve(const FrameContext& frame) {
     return frame.preserve == nullptr;
 }
@@ -127,8 +135,10 @@ const std::array kPanels = {
     PanelKind{"picking grid",  {kCenter, 0, 0},                           grid_shown,     make<PickingGridPanel>},
     PanelKind{"picking strip", {kUnderCenter, 10, 8},                     grid_shown,     make<PickingStrip>},
     PanelKind{"picking",       {kRight},                                  grid_shown,     make<PickingPanel>},
-    PanelKind{"viewport",      {kCenter, 0, 0},                           creature_shown, make<ViewportPanel>},
-    PanelKind{"transport",     {kUnderCenter, 10, 6},                     creature_shown, make<TransportBar>},
+    PanelKind{"founders",      {kCenter, 0, 0},                           founders_shown, make<FoundersPanel>},
+    PanelKind{"founders strip", {kUnderCenter, 14, 6},                    founders_shown, make<FoundersStrip>},
+    PanelKind{"viewport",      {kCenter, 0, 0},                           alone_shown,    make<ViewportPanel>},
+    PanelKind{"transport",     {kUnderCenter, 10, 6},                     alone_shown,    make<TransportBar>},
     PanelKind{"inspector",     {kRight},                                  creature_shown, make<InspectorPanel>},
     PanelKind{"tree",          {kBottomLeft},                             picking,        make<PickingTreePanel>},
     PanelKind{"shelf place",   {kBottomRight},                            picking,        make<ShelfPanel>},

@@ -17,6 +17,7 @@ namespace cambrian {
 
 // The place from which the displayed creature was taken.
 enum class ExhibitSource : std::uint8_t {
+    kFounder,
     kSample,
     kFile,
     kChampion,

@@ -3,6 +3,8 @@
 #include "core/stopwatch.h"
 #include "evolution/evaluation/trials.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -79,19 +81,20 @@ std::vector<const JudgedIndividual*> choose_ghosts(const std::vector<JudgedIndiv
     return {};
 }
 
-std::unique_ptr<Ghost> Ghost::start(const JudgedIndividual& champion, const Kinds& kinds,
+std::unique_ptr<Ghost> Ghost::start(const Companion& companion, const Kinds& kinds,
                                     const Environment& environment) {
-    TrialWorld world = first_trial_world(*champion.settings);
+    const ExperimentSettings& settings = *companion.creature.settings;
+    TrialWorld world = first_trial_world(settings);
     world.environment = environment;
     auto phenotype = std::make_shared<const Phenotype>(
-        express(*champion.individual->genome, kinds, champion.settings->expression, world.scene));
+        express(companion.creature.genome(), kinds, settings.expression, world.scene));
     auto replay = Replay::start(std::move(phenotype), kinds, world);
     if (!replay) return nullptr;
-    return std::unique_ptr<Ghost>(new Ghost(champion, std::move(*replay)));
+    return std::unique_ptr<Ghost>(new Ghost(companion, std::move(*replay)));
 }
 
-Ghost::Ghost(JudgedIndividual champion, std::unique_ptr<Replay> replay)
-    : champion_(std::move(champion)), replay_(std::move(replay)) {
+Ghost::Ghost(Companion companion, std::unique_ptr<Replay> replay)
+    : it_(std::move(companion)), replay_(std::move(replay)) {
     motion_.jump_to(trial().scene());
 }
 
@@ -99,6 +102,17 @@ bool Ghost::go_back(std::uint64_t tick) {
     replay_->go_back(tick);
     motion_.jump_to(trial().scene());
     return true;
+}
+
+void Ghost::show(double share, double travel) {
+    motion_.show(share);
+    mirrored_.clear();
+    const Environment& world = replay_->environment();
+    const bool symmetric = world.gravity_direction == -90.0 && !world.has_light;
+    if (!symmetric || it_.travel * travel >= 0.0) return;
+    for (const Pose& pose : motion_.poses())
+        mirrored_.push_back(
+            planar_pose(-pose.position.x(), pose.position.y(), -planar_angle(pose)));
 }
 
 bool Ghost::follow(const Playback& playback) {
@@ -121,23 +135,34 @@ bool Ghost::follow(const Playback& playback) {
 
 void Ghosts::choose(const EvolutionSnapshot& snapshot, GhostChoice choice,
                     const Playback& playback) {
-    const Basis basis{snapshot.experiment, snapshot.champions.size(), choice,
-                      playback.exhibit().genome()};
+    const Exhibit& exhibit = playback.exhibit();
+    const bool raced = companion_ && exhibit.source == ExhibitSource::kChampion &&
+                       exhibit.experiment == snapshot.experiment;
+    const Basis basis{snapshot.experiment,
+                      snapshot.champions.size(),
+                      choice,
+                      exhibit.genome(),
+                      raced ? companion_->creature.individual->genome : nullptr,
+                      raced ? companion_->words : std::string()};
     if (basis == basis_) return;
     basis_ = basis;
-    const auto chosen = choose_ghosts(snapshot.champions, choice, basis.shown.get());
-    const auto wanted = [&chosen](const std::unique_ptr<Ghost>& ghost) {
-        return std::any_of(chosen.begin(), chosen.end(), [&ghost](const JudgedIndividual* each) {
-            return each->individual->genome.get() == &ghost->genome();
-        });
+    std::vector<Companion> chosen;
+    for (const JudgedIndividual* each :
+         choose_ghosts(snapshot.champions, choice, basis.shown.get()))
+        chosen.push_back({*each, fmt::format("generation {}", each->generation)});
+    if (raced) chosen.push_back(*companion_);
+    const auto is = [](const Companion& companion, const Ghost& ghost) {
+        return &companion.creature.genome() == &ghost.genome() && companion.words == ghost.words();
     };
-    std::erase_if(ghosts_, [&wanted](const auto& ghost) { return !wanted(ghost); });
+    std::erase_if(ghosts_, [&](const auto& ghost) {
+        return std::none_of(chosen.begin(), chosen.end(),
+                            [&](const Companion& each) { return is(each, *ghost); });
+    });
     called_.clear();
-    for (const JudgedIndividual* each : chosen) {
-        const bool here = std::any_of(ghosts_.begin(), ghosts_.end(), [each](const auto& ghost) {
-            return &ghost->genome() == each->individual->genome.get();
-        });
-        if (!here) called_.push_back(*each);
+    for (Companion& each : chosen) {
+        const bool here = std::any_of(ghosts_.begin(), ghosts_.end(),
+                                      [&](const auto& ghost) { return is(each, *ghost); });
+        if (!here) called_.push_back(std::move(each));
     }
 }
 
@@ -149,7 +174,7 @@ void Ghosts::call_next(const Environment& environment) {
 }
 
 void Ghosts::update(const EvolutionSnapshot& snapshot, GhostChoice choice, const Playback& playback,
-                    double budget) {
+                    double travel, double budget) {
     if (playback.empty()) return;
     choose(snapshot, choice, playback);
     call_next(playback.creature().replay().environment());
@@ -162,7 +187,7 @@ void Ghosts::update(const EvolutionSnapshot& snapshot, GhostChoice choice, const
             moved = ghost->follow(playback) || moved;
     }
     for (const auto& ghost : ghosts_)
-        ghost->show(playback.share());
+        ghost->show(playback.share(), travel);
 }
 
 }  // namespace cambrian

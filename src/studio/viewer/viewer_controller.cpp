@@ -85,7 +85,12 @@ ViewerController::ViewerController(const Services& services, ViewState& view)
 void ViewerController::update(double elapsed, const EvolutionSnapshot& snapshot) {
     viewer_.playback().pace().speed = view_.speed;
     viewer_.playback().advance(elapsed, kPlaybackBudget);
-    ghosts_.update(snapshot, view_.ghosts, viewer_.playback(), kGhostBudget);
+    const ScoreReport* score = viewer_.score();
+    const double travel = score == nullptr || score->record.samples.empty()
+                              ? 0.0
+                              : score->record.samples.back().center_of_mass.x() -
+                                    score->record.samples.front().center_of_mass.x();
+    ghosts_.update(snapshot, view_.ghosts, viewer_.playback(), travel, kGhostBudget);
 }
 
 void ViewerController::carry_out(const ViewerRequest& request) {

@@ -32,6 +32,10 @@ public:
     void rejudge(IndividualPtr individual) {
         viewer_.playback().creature().rejudge(std::move(individual));
     }
+    // Displays a creature beside each champion of the experiment; nothing for none.
+    void run_beside(std::optional<Companion> companion) {
+        ghosts_.run_beside(std::move(companion));
+    }
     // Applies an environment that the user changed to the displayed creature at once.
     void use_environment(const Environment& environment);
     // Undo or redo an edit of the genes; return false if there is none.

@@ -63,12 +63,12 @@ TEST_CASE("an edited world acts on the viewer at once and on the engine when the
 TEST_CASE("an edit of anything but the world leaves the displayed world alone",
           "[studio][experiment]") {
     StudioRun run;
-    run.studio.show_random_creature();
+    run.studio.show_founders();
     ExperimentSettings moon = run.studio.frame_context().experiment.editor.draft();
     moon.world.environment.gravity = 1.62;
     run.ask(EditSettings{moon, "environment.gravity"});
     run.ask(FinishEdit{});
-    run.studio.show_random_creature();
+    run.studio.show_founders();
     const Environment before =
         run.studio.frame_context().viewer.playback.creature().replay().environment();
     ExperimentSettings larger = run.studio.frame_context().experiment.editor.draft();
@@ -273,7 +273,7 @@ TEST_CASE("one click evolves the creature on display in its own world", "[studio
     water.world.environment.has_ground = false;
     water.world.environment.gravity = 0.0;
     water.world.environment.viscosity_quadratic = 1.0;
-    run.studio.show_random_creature();
+    run.studio.show_founders();
     Exhibit swimmer = run.studio.frame_context().viewer.playback.exhibit();
     swimmer.creature.settings = std::make_shared<const ExperimentSettings>(water);
     run.ask(ShowExhibit{std::make_shared<const Exhibit>(swimmer)});

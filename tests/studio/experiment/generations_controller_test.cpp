@@ -70,7 +70,7 @@ TEST_CASE("after fast scrubbing the creature displayed last gets its score",
 TEST_CASE("a displayed creature can be starred and displayed again with its own settings",
           "[studio][generations]") {
     StudioRun run;
-    run.studio.show_random_creature();
+    run.studio.show_founders();
     run.ask(ToggleStarOfShown{});  // a creature of another experiment
     CHECK(run.studio.frame_context().generations.stars.all().empty());
     finish_generations(run, 1);

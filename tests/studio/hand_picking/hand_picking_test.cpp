@@ -71,7 +71,7 @@ bool has_genome(const std::vector<IndividualPtr>& creatures, const GenomePtr& ge
 
 TEST_CASE("a person picks, breeds, goes back and branches off", "[studio][controller][picking]") {
     PickingRun run;
-    run.studio.show_random_creature();
+    run.studio.show_founders();
     run.enter(1);
     CHECK(run.picking().tree.current().creatures.size() == 12);
     run.pick({1, 4, 6});
@@ -121,7 +121,7 @@ TEST_CASE("picks join the next generation that is bred", "[studio][controller][p
 
 TEST_CASE("a new run begins with the picks", "[studio][controller][picking]") {
     PickingRun run;
-    run.studio.show_random_creature();
+    run.studio.show_founders();
     run.enter(1);
     run.pick({5});
     const GenomePtr picked = run.picking().tree.current().creatures[5]->genome;
@@ -132,7 +132,7 @@ TEST_CASE("a new run begins with the picks", "[studio][controller][picking]") {
 
 TEST_CASE("a new run begins without the grids of the run before", "[studio][controller][picking]") {
     PickingRun run;
-    run.studio.show_random_creature();
+    run.studio.show_founders();
     run.enter(1);
     run.pick({5});
     run.breed();
@@ -146,7 +146,7 @@ TEST_CASE("a new run begins without the grids of the run before", "[studio][cont
 TEST_CASE("a new run ends picking by hand and begins without its grids",
           "[studio][controller][picking]") {
     PickingRun run;
-    run.studio.show_random_creature();
+    run.studio.show_founders();
     run.enter(1);
     run.pick({5});
     run.breed();
@@ -160,7 +160,7 @@ TEST_CASE("a new run ends picking by hand and begins without its grids",
 
 TEST_CASE("handing over without a pick says so and stays", "[studio][controller][picking]") {
     PickingRun run;
-    run.studio.show_random_creature();
+    run.studio.show_founders();
     run.enter(1);
     run.ask(HandOverPicks{});
     CHECK(run.frames_until([&] { return run.studio.frame_context().window.notice != nullptr; }));
@@ -182,7 +182,7 @@ TEST_CASE("evolution rests while a person picks and goes on afterwards",
 
 TEST_CASE("a creature of the grid is shown alone and saved", "[studio][controller][picking]") {
     PickingRun run;
-    run.studio.show_random_creature();
+    run.studio.show_founders();
     run.enter(1);
     const GenomePtr genome = run.picking().tree.current().creatures[7]->genome;
     run.ask(ShowCell{7});
@@ -210,7 +210,7 @@ TEST_CASE("a creature of the grid is shown alone and saved", "[studio][controlle
 TEST_CASE("a world changed while picking acts on the grid and evaluates the next one",
           "[studio][controller][picking]") {
     PickingRun run;
-    run.studio.show_random_creature();
+    run.studio.show_founders();
     run.enter(1);
     ExperimentSettings moon = run.studio.frame_context().experiment.editor.draft();
     moon.world.environment.gravity = 1.62;

@@ -53,7 +53,7 @@ public:
         studio.show_crawler();
     }
     void update() {
-        ghosts.update(studio.snapshot(), GhostChoice::kImprovements, studio.playback(), 1e3);
+        ghosts.update(studio.snapshot(), GhostChoice::kImprovements, studio.playback(), 0.0, 1e3);
     }
     void play_to(std::uint64_t tick) {
         studio.playback().seek(tick);
@@ -101,8 +101,34 @@ TEST_CASE("ghosts are removed if none are chosen", "[studio][ghosts]") {
     GhostRun run;
     for (int i = 0; i < 5; ++i)
         run.update();
-    run.ghosts.update(run.studio.snapshot(), GhostChoice::kNone, run.studio.playback(), 1e3);
+    run.ghosts.update(run.studio.snapshot(), GhostChoice::kNone, run.studio.playback(), 0.0, 1e3);
     CHECK(run.ghosts.all().empty());
+}
+
+TEST_CASE("a companion runs beside champions, the same way as they do", "[studio][ghosts]") {
+    GhostRun run;
+    Exhibit champion = test::crawler_exhibit();
+    champion.source = ExhibitSource::kChampion;
+    REQUIRE(run.studio.playback().show(champion));
+    const auto update = [&](double travel) {
+        run.ghosts.update(run.studio.snapshot(), GhostChoice::kNone, run.studio.playback(), travel,
+                          1e3);
+        return run.ghosts.all();
+    };
+    CHECK(update(1.0).empty());
+    run.ghosts.run_beside(Companion{test::crawler_exhibit().creature, "Crawler, 1 BL/s", -2.0});
+    REQUIRE(update(-1.0).size() == 1);
+    run.play_to(200);
+    const Ghost& same = *update(-1.0).front();
+    CHECK(same.words() == "Crawler, 1 BL/s");
+    const Pose straight = same.poses().back();
+    const Pose mirrored = update(1.0).front()->poses().back();
+    CHECK(straight.position.x() != 0.0);
+    CHECK(mirrored.position.x() == -straight.position.x());
+    CHECK(mirrored.position.y() == straight.position.y());
+    CHECK(planar_angle(mirrored) == Approx(-planar_angle(straight)));
+    run.studio.show_crawler();  // a sample, which is no champion
+    CHECK(update(1.0).empty());
 }
 
 }  // namespace

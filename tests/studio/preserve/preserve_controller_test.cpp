@@ -39,7 +39,7 @@ TEST_CASE("a preserve that is closed while it is being opened does not appear",
 TEST_CASE("picking by hand is not left for a preserve that is still being opened",
           "[studio][preserve]") {
     PreserveRun run;
-    run.studio.show_random_creature();
+    run.studio.show_founders();
     run.ask(kRandomPreserve);
     run.ask(ToggleHandPicking{});
     REQUIRE(run.frames_until([&] { return run.studio.frame_context().picking != nullptr; }));

@@ -20,7 +20,7 @@ double root_length(const StudioRun& run) {
 
 TEST_CASE("an edited gene is displayed at once, can be undone and made again", "[studio][viewer]") {
     StudioRun run;
-    run.studio.show_random_creature();
+    run.studio.show_founders();
     const double before = root_length(run);
     run.ask(lengthen_root(run.studio.frame_context(), 1.5));
     run.ask(FinishGeneEdit{});
@@ -58,7 +58,7 @@ TEST_CASE("an edited creature is scored again and saved as edited", "[studio][vi
 
 TEST_CASE("a gene outside its range is refused with a message", "[studio][viewer]") {
     StudioRun run;
-    run.studio.show_random_creature();
+    run.studio.show_founders();
     const double before = root_length(run);
     run.ask(lengthen_root(run.studio.frame_context(), 25.0));
     run.studio.update(0.1, 0.0);
@@ -71,7 +71,7 @@ TEST_CASE("a gene outside its range is refused with a message", "[studio][viewer
 
 TEST_CASE("with another creature on display, undo is of the settings again", "[studio][viewer]") {
     StudioRun run;
-    run.studio.show_random_creature();
+    run.studio.show_founders();
     const auto other =
         std::make_shared<const Exhibit>(run.studio.frame_context().viewer.playback.exhibit());
     run.ask(lengthen_root(run.studio.frame_context(), 1.5));
@@ -100,7 +100,7 @@ TEST_CASE("a forced neuron marks the run as disturbed", "[studio][viewer]") {
 
 TEST_CASE("a highlight ends with the creature it belongs to", "[studio][viewer]") {
     StudioRun run;
-    run.studio.show_random_creature();
+    run.studio.show_founders();
     const auto other =
         std::make_shared<const Exhibit>(run.studio.frame_context().viewer.playback.exhibit());
     Requests requests;
@@ -117,7 +117,7 @@ TEST_CASE("a highlight ends with the creature it belongs to", "[studio][viewer]"
 TEST_CASE("a part or neuron that the displayed creature lacks is left alone", "[studio][viewer]") {
     StudioRun run;
     run.ask(PokePart{});  // no creature is displayed, so it has no effect
-    run.studio.show_random_creature();
+    run.studio.show_founders();
     run.ask(PokePart{100'000});
     run.ask(ForceNeuron{100'000, 1.0});
     run.ask(ReleaseNeuron{100'000});

@@ -22,7 +22,7 @@ constexpr std::array kMenus = {
     Menu{"Edit", "undo redo | palette find-setting | new-run-* evolve-shown"},
     Menu{"View",
          "pick-by-hand | panel-* | follow newest-always fit | overlay-* | look-* | scenery-* | "
-         "ghosts-* | theme size-larger size-smaller size-100"},
+         "ghosts-* | rival | theme size-larger size-smaller size-100"},
     Menu{"Help", "help palette keys tour | about"}};
 
 bool any_menu_open() {

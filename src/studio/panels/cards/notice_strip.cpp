@@ -9,11 +9,16 @@ namespace cambrian {
 
 void NoticeStrip::draw(const FrameContext& frame, Requests& out) {
     if (frame.window.notice == nullptr) return;
-    const bool problem = frame.window.notice->kind == NoticeKind::kProblem;
+    const NoticeKind kind = frame.window.notice->kind;
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + px(4), at.y + 0.5F * ImGui::GetFontSize()},
-                                                px(4),
-                                                paint(problem ? colors().danger : colors().accent));
+    const ImVec2 middle = {at.x + px(4), at.y + 0.5F * ImGui::GetFontSize()};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (kind == NoticeKind::kFeat) {
+        draw_icon(list, Icon::kStar, middle, px(18), colors().plot_best);
+    } else {
+        list.AddCircleFilled(
+            middle, px(4), paint(kind == NoticeKind::kProblem ? colors().danger : colors().accent));
+    }
     ImGui::Dummy({px(8), ImGui::GetFontSize()});
     ImGui::SameLine(0, px(10));
     const float text_width = ImGui::GetContentRegionAvail().x - px(44);

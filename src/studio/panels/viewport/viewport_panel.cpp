@@ -417,17 +417,37 @@ void ViewportPanel::draw_part_names(const FrameContext& frame) const {
     }
 }
 
-// Draws each ghost's generation above it; moves a label that would cover another one.
+// Returns the words of a ghost; those of one outside the view say how far it is from the creature.
+std::string ViewportPanel::ghost_words(const Ghost& ghost, const WorldWindow& bounds,
+                                       double here) const {
+    const WorldWindow view = canvas_.camera.window(canvas_.size());
+    const double away = std::fabs(0.5 * (bounds.low.x() + bounds.high.x()) - here);
+    if (bounds.low.x() > view.high.x())
+        return fmt::format("{}  ·  {:.1f} m →", ghost.words(), away);
+    if (bounds.high.x() < view.low.x())
+        return fmt::format("← {:.1f} m  ·  {}", away, ghost.words());
+    return ghost.words();
+}
+
+// Draws each ghost's name above it, or at the edge if it is outside the view; moves a label that
+// would cover another one.
 void ViewportPanel::draw_ghost_labels(const FrameContext& frame) const {
     std::vector<Vec2> taken;
     const double line = static_cast<double>(px(20)) * canvas_.camera.pixel();
     // Labels stay below the text about the creature.
     const double highest =
         canvas_.camera.to_world({0.0, static_cast<double>(px(kWordsHeight))}, canvas_.size()).y();
+    const WorldWindow view = canvas_.camera.window(canvas_.size());
+    const double here = frame.viewer.playback.creature().motion().center().x();
     for (const auto& ghost : frame.viewer.ghosts) {
         const WorldWindow bounds = body_window(ghost->phenotype(), ghost->poses());
+        const std::string words = ghost_words(*ghost, bounds, here);
+        const double half = 0.5 *
+                            static_cast<double>(ImGui::CalcTextSize(words.c_str()).x + px(16)) *
+                            canvas_.camera.pixel();
         Vec2 at = {0.5 * (bounds.low.x() + bounds.high.x()),
                    std::min(bounds.high.y() + line, highest)};
+        at.x() = std::max(view.low.x() + half, std::min(view.high.x() - half, at.x()));
         const auto covers = [&](const Vec2& other) {
             return std::fabs(other.x() - at.x()) < 4.5 * line &&
                    std::fabs(other.y() - at.y()) < 0.99 * line;
@@ -438,7 +458,7 @@ void ViewportPanel::draw_ghost_labels(const FrameContext& frame) const {
             at.y() += step;
         }
         taken.push_back(at);
-        draw_plate(at, fmt::format("generation {}", ghost->generation()));
+        draw_plate(at, words);
     }
 }
 

@@ -33,6 +33,7 @@ private:
     void draw_plate(const Vec2& at, const std::string& name) const;
     void draw_part_names(const FrameContext& frame) const;
     void draw_ghost_labels(const FrameContext& frame) const;
+    std::string ghost_words(const Ghost& ghost, const WorldWindow& bounds, double here) const;
 
     SceneCanvas canvas_;
     bool fit_wanted_ = true;

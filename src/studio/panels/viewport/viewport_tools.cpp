@@ -27,7 +27,7 @@ void overlay_lines(const FrameContext& frame, Requests& out) {
 }
 
 void ghost_lines(const FrameContext& frame, Requests& out) {
-    action_items("ghosts-*", frame, out);
+    action_items("ghosts-* | rival", frame, out);
 }
 
 using Lines = void (*)(const FrameContext& frame, Requests& out);

@@ -1,0 +1,24 @@
+#pragma once
+
+// What accompanies a run that panels see, and the requests they may make of it.
+
+#include "studio/coach/founder_crowd.h"
+
+#include <cstddef>
+#include <variant>
+
+namespace cambrian {
+
+// Describes another creature of the crowd in the inspector.
+struct ChooseFounder {
+    std::size_t place = 0;
+};
+
+using CoachRequest = std::variant<ChooseFounder>;
+
+struct CoachView {
+    const FounderCrowd* founders = nullptr;  // null unless they are displayed
+    std::size_t founder = 0;                 // place of the one that the inspector describes
+};
+
+}  // namespace cambrian

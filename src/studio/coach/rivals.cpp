@@ -1,0 +1,92 @@
+#include "studio/coach/rivals.h"
+
+#include "core/sample_statistics.h"
+#include "core/text/code_points.h"
+#include "core/text/pretty_text.h"
+#include "evolution/evaluation/trials.h"
+#include "persist/creature/creature_card.h"
+#include "persist/creature/creature_file.h"
+#include "pictures/motion/recorded_motion.h"
+
+#include <algorithm>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+std::string rival_name(const std::filesystem::path& path, const Genome& genome) {
+    if (!genome.name.empty()) return on_one_line(genome.name);
+    const std::string file = path.filename().string();
+    std::string name = capitalized(file.substr(0, file.size() - kCreatureEnding.size()));
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
+// Returns the score as a generation's survivors have theirs; nothing if the trial fails.
+std::optional<double> score_under(const ExperimentSettings& settings, const GenomePtr& genome,
+                                  const EvolutionKinds& kinds, const std::stop_token& stop) {
+    const EvaluationRequest request{.genome = genome, .trial_seed = trial_seed(settings)};
+    const EvaluationResult result = evaluate_in_trials(request, settings, kinds, stop);
+    if (result.outcome != Outcome::kCompleted) return std::nullopt;
+    std::vector<double> scores = scores_in(probes_of(settings, 0, settings.selection.confirmations),
+                                           genome, settings, kinds, stop);
+    scores.push_back(result.fitness);
+    return median(std::move(scores));
+}
+
+double travel_of(const ExperimentSettings& settings, const Genome& genome, const Kinds& kinds) {
+    auto phenotype = std::make_shared<const Phenotype>(
+        express(genome, kinds, settings.expression, settings.world.scene));
+    const auto trial = record_trial(std::move(phenotype), kinds, first_trial_world(settings));
+    if (!trial || trial->record.samples.empty()) return 0.0;
+    return trial->record.samples.back().center_of_mass.x() -
+           trial->record.samples.front().center_of_mass.x();
+}
+
+std::optional<JudgedRival> judged_rival(const std::filesystem::path& path,
+                                        const ExperimentSettings& settings,
+                                        const EvolutionKinds& kinds, const std::stop_token& stop) {
+    const auto document = load_creature(path, kinds);
+    if (!document || !document->scored()) return std::nullopt;
+    const ExperimentSettings& its = document->settings();
+    if (its.goal != settings.goal || !(its.world.environment == settings.world.environment))
+        return std::nullopt;
+    ExperimentSettings here = settings;
+    here.expression = its.expression;
+    const GenomePtr& genome = document->creature.individual->genome;
+    const std::optional<double> score = score_under(here, genome, kinds, stop);
+    if (!score) return std::nullopt;
+    const double travel = travel_of(here, *genome, kinds.creature);
+    JudgedIndividual creature = document->creature;
+    creature.settings = std::make_shared<const ExperimentSettings>(std::move(here));
+    return JudgedRival{rival_name(path, *genome), std::move(creature), *score, travel};
+}
+
+}  // namespace
+
+std::vector<JudgedRival> judge_rivals(const std::filesystem::path& folder,
+                                      const ExperimentSettings& settings,
+                                      const EvolutionKinds& kinds, const std::stop_token& stop) {
+    std::vector<std::filesystem::path> paths;
+    std::error_code error;
+    auto entry = std::filesystem::directory_iterator(folder, error);
+    for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+        if (entry->path().filename().string().ends_with(kCreatureEnding))
+            paths.push_back(entry->path());
+    }
+    std::sort(paths.begin(), paths.end());
+    std::vector<JudgedRival> rivals;
+    for (const std::filesystem::path& path : paths) {
+        if (stop.stop_requested()) return {};
+        if (auto rival = judged_rival(path, settings, kinds, stop))
+            rivals.push_back(std::move(*rival));
+    }
+    if (stop.stop_requested()) return {};
+    std::stable_sort(rivals.begin(), rivals.end(),
+                     [](const JudgedRival& a, const JudgedRival& b) { return a.score < b.score; });
+    return rivals;
+}
+
+}  // namespace cambrian

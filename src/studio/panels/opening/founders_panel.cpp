@@ -1,0 +1,271 @@
+#include "studio/panels/opening/founders_panel.h"
+
+#include "genome/creature_name.h"
+#include "pictures/scene/follow_camera.h"
+#include "pictures/scene/living_look.h"
+#include "pictures/scene/moment.h"
+#include "pictures/scene/small_life.h"
+#include "pictures/scene/worlds.h"
+#include "studio/look/overlays.h"
+#include "studio/panels/viewport/viewport_tools.h"
+#include "studio/widgets/widgets.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kMostInARow = 7;
+constexpr double kSlotShare = 2.1;    // body sizes between two creatures of a row
+constexpr double kRowShare = 0.215;   // of the view's height between two rows
+constexpr double kMeadow = 0.11;      // slots; height of a row's ground above its creatures' feet
+constexpr int kBands = 10;            // of colour in the ground of a row
+constexpr double kLowestShare = 0.5;  // slots; least distance of two rows
+
+// Returns the colour of the ground of a row, which is paler the farther it is.
+Color row_color(const DrawnWorld* world, std::size_t row) {
+    const auto far = static_cast<float>(row);
+    if (world == nullptr) return mix(colors().ground, colors().sky, 0.25F * far);
+    return mix(world->recipe.ground[0], world->recipe.ridges[2][0], 0.26F * far);
+}
+
+// Draws grass along the top of a row's ground.
+void add_row_blades(SceneFrame& scene, const DrawnWorld& world, const WorldWindow& window,
+                    double top, std::size_t row, double pixel) {
+    if (world.grass.a <= 0.0F) return;
+    const Color color = mix(world.grass, row_color(&world, row), 0.35F);
+    const double spacing = 9.0 * pixel;
+    const auto count = static_cast<std::uint64_t>((window.high.x() - window.low.x()) / spacing) + 1;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const auto draw = [&](std::uint64_t use) { return chance(i, 8 * row + use); };
+        const double x = window.low.x() + (static_cast<double>(i) + draw(1)) * spacing;
+        const double tall = (2.0 + 8.0 * draw(2) * draw(3)) * pixel;
+        scene.add_line({x, top - pixel}, {x + 0.5 * (draw(4) - 0.5) * tall, top + tall},
+                       1.6 * pixel, color);
+    }
+}
+
+// Returns a label as it is written within a sentence.
+std::string lower_case(std::string label) {
+    if (!label.empty()) label[0] = static_cast<char>(std::tolower(label[0]));
+    return label;
+}
+
+std::vector<Scuff> moved_scuffs(const RecordedMotion& motion, double time, const Vec2& by) {
+    const std::span<const Scuff> seen = scuffs_seen(motion.scuffs, time);
+    std::vector<Scuff> moved(seen.begin(), seen.end());
+    for (Scuff& scuff : moved)
+        scuff.place += by;
+    return moved;
+}
+
+const std::array<const char*, kMostFounders + 1> kNumbers = {
+    "No",       "One",     "Two",     "Three",     "Four",     "Five",     "Six",
+    "Seven",    "Eight",   "Nine",    "Ten",       "Eleven",   "Twelve",   "Thirteen",
+    "Fourteen", "Fifteen", "Sixteen", "Seventeen", "Eighteen", "Nineteen", "Twenty"};
+
+}  // namespace
+
+void FoundersPanel::draw(const FrameContext& frame, Requests& out) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const FounderCrowd& crowd = *frame.coach.founders;
+    canvas_.area = {at.x, at.y, room.x, room.y};
+    canvas_.framebuffer_height = frame.window.framebuffer_height;
+    const bool pressed =
+        ImGui::InvisibleButton("founders", {std::max(1.0F, room.x), std::max(1.0F, room.y)});
+    note_place("founders");
+    ImGui::SetItemAllowOverlap();
+    place_rows(crowd);
+    if (pressed) out.ask(ChooseFounder{nearest(canvas_.mouse_in_world(), crowd)});
+    build_scene(frame);
+    canvas_.add_to(*ImGui::GetWindowDrawList());
+    draw_choice(frame);
+    draw_words(frame);
+    draw_viewport_tools(frame, canvas_.area, out);
+}
+
+void FoundersPanel::place_rows(const FounderCrowd& crowd) {
+    const std::size_t count = crowd.founders().size();
+    const std::size_t row_count = (count + kMostInARow - 1) / kMostInARow;
+    rows_.assign(row_count, {});
+    std::size_t placed = 0;
+    for (std::size_t i = 0; i < row_count; ++i) {
+        rows_[i].first = placed;
+        rows_[i].count = (count - placed) / (row_count - i);
+        placed += rows_[i].count;
+    }
+    slot_ = kSlotShare * crowd.big_body();
+    const bool ground = crowd.motion().environment().has_ground;
+    Camera& camera = canvas_.camera;
+    const Viewport size = canvas_.size();
+    const double across = (static_cast<double>(rows_.back().count) + 0.5) * slot_;
+    camera.pixels_per_metre = std::clamp(size.width / across, Camera::kMinScale, Camera::kMaxScale);
+    camera.center = follow_center(Vec2::Zero(), ground, camera, size);
+    const double apart = std::max(kRowShare * size.height * camera.pixel(), kLowestShare * slot_);
+    for (std::size_t i = 0; i < row_count; ++i) {
+        const auto up = static_cast<double>(i);
+        rows_[i].lift = ground
+                            ? up * apart
+                            : (up - 0.5 * static_cast<double>(row_count - 1)) * apart - 0.3 * apart;
+    }
+}
+
+// Returns where a creature's trial has its origin in the view. Rows are staggered.
+Vec2 FoundersPanel::stand(std::size_t place) const {
+    std::size_t number = rows_.size() - 1;
+    while (number > 0 && place < rows_[number].first)
+        --number;
+    const Row& row = rows_[number];
+    const double across = static_cast<double>(place - row.first) -
+                          0.5 * static_cast<double>(row.count - 1) +
+                          (number % 2 == 0 ? -0.15 : 0.15);
+    return {across * slot_, row.lift};
+}
+
+std::size_t FoundersPanel::nearest(const Vec2& point, const FounderCrowd& crowd) const {
+    std::size_t best = 0;
+    double least = 1e9;
+    for (std::size_t i = 0; i < crowd.founders().size(); ++i) {
+        const RecordedMotion& motion = crowd.motion().cell(i);
+        if (motion.empty()) continue;
+        const Vec2 start = motion.frames.front().center_of_mass.head<2>();
+        const Vec2 here = motion.at(crowd.motion().time()).center_of_mass.head<2>();
+        const Vec2 at = stand(i) + Vec2(here.x() - start.x(), here.y());
+        const double away = (at - point).norm();
+        if (away >= least) continue;
+        least = away;
+        best = i;
+    }
+    return best;
+}
+
+void FoundersPanel::build_scene(const FrameContext& frame) {
+    const GridMotion& motion = frame.coach.founders->motion();
+    SceneFrame& scene = canvas_.frame;
+    scene.clear();
+    scene.detail = detail_of(frame.window.scenery);
+    scene.background = colors().sky;
+    const DrawnWorld* world = shown_world(frame.view, frame.window.scenery, motion.environment());
+    if (world != nullptr) {
+        add_scenery(scene, *world, canvas_.camera, canvas_.size(), motion.time());
+    } else if (motion.environment().has_ground) {
+        add_ground(scene, colors(), canvas_.camera, canvas_.size());
+    }
+    for (std::size_t i = rows_.size(); i-- > 0;)
+        add_row(rows_[i], i, frame);
+    if (world != nullptr)
+        add_foreground(scene, *world, canvas_.camera, canvas_.size(), motion.time());
+}
+
+// Draws the ground of a row, which reaches a little above the feet of its creatures, and these.
+void FoundersPanel::add_row(const Row& row, std::size_t number, const FrameContext& frame) {
+    const GridMotion& motion = frame.coach.founders->motion();
+    if (number > 0 && motion.environment().has_ground) {
+        const DrawnWorld* world =
+            shown_world(frame.view, frame.window.scenery, motion.environment());
+        const WorldWindow window = canvas_.camera.window(canvas_.size());
+        const double pixel = canvas_.camera.pixel();
+        const double top = row.lift + kMeadow * slot_;
+        const double depth = top - rows_[number - 1].lift;
+        const Color color = row_color(world, number);
+        const Color near = row_color(world, number - 1);
+        const Vec2 middle = 0.5 * (window.low + window.high);
+        for (int band = 0; band < kBands; ++band) {
+            const double share = static_cast<double>(band) / kBands;
+            const double half = 0.5 * (1.0 - share) * depth;
+            canvas_.frame.add_box({middle.x(), top - share * depth - half},
+                                  {window.high.x() - middle.x() + pixel, half},
+                                  mix(color, near, 0.85F * static_cast<float>(share)));
+        }
+        if (world != nullptr) add_row_blades(canvas_.frame, *world, window, top, number, pixel);
+    }
+    for (std::size_t place = row.first; place < row.first + row.count; ++place)
+        add_founder(place, frame);
+}
+
+void FoundersPanel::add_founder(std::size_t place, const FrameContext& frame) {
+    const FounderCrowd& crowd = *frame.coach.founders;
+    const RecordedMotion& recorded = crowd.motion().cell(place);
+    if (recorded.empty()) return;
+    const double time = crowd.motion().time();
+    const bool ground = crowd.motion().environment().has_ground;
+    MotionFrame shown = recorded.at(time);
+    Vec2 by = stand(place);
+    by.x() -= recorded.frames.front().center_of_mass.x();
+    for (Pose& pose : shown.poses)
+        pose.position.x() += by.x();
+    const Individual& founder = *crowd.founders()[place];
+    Character character = character_of(recorded, ground, time);
+    character.line = line_or_hue(founder.line, founder.genome->hue);
+    const CreatureLook look{*recorded.phenotype, shown.poses,     {},       founder.genome->hue, {},
+                            shown.stretches,     frame.view.look, character};
+    SceneFrame& scene = canvas_.frame;
+    const std::size_t shadows = scene.shapes.size();
+    if (ground) add_shadow(scene, look);
+    for (std::size_t i = shadows; i < scene.shapes.size(); ++i)
+        scene.shapes[i].center.y() += by.y();
+    for (Pose& pose : shown.poses)
+        pose.position.y() += by.y();
+    if (look.mode != LookMode::kMechanics)
+        add_small_life(scene, moved_scuffs(recorded, time, by), time, crowd.motion().environment());
+    add_being(scene, colors(), canvas_.camera, look);
+}
+
+// Marks the creature that the inspector describes.
+void FoundersPanel::draw_choice(const FrameContext& frame) const {
+    const FounderCrowd& crowd = *frame.coach.founders;
+    const std::size_t place = frame.coach.founder;
+    if (place >= crowd.founders().size() || crowd.motion().cell(place).empty()) return;
+    const RecordedMotion& motion = crowd.motion().cell(place);
+    const MotionFrame shown = motion.at(crowd.motion().time());
+    const WorldWindow body = body_window(*motion.phenotype, shown.poses);
+    const Vec2 by = stand(place) - Vec2(motion.frames.front().center_of_mass.x(), 0.0);
+    const Vec2 top = Vec2(0.5 * (body.low.x() + body.high.x()), body.high.y()) + by;
+    const Vec2 at = canvas_.camera.to_screen(top, canvas_.size());
+    const ImVec2 tip = {canvas_.area.x + static_cast<float>(at.x()),
+                        canvas_.area.y + static_cast<float>(at.y()) - px(2)};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddTriangleFilled({tip.x - px(6), tip.y - px(9)}, {tip.x + px(6), tip.y - px(9)}, tip,
+                           paint(colors().accent));
+    const std::string name = creature_name(*crowd.founders()[place]->genome);
+    const WithFont font(ui().fonts.small);
+    const ImVec2 size = ImGui::CalcTextSize(name.c_str());
+    const ImVec2 low = {std::round(tip.x - 0.5F * size.x), std::round(tip.y - px(13) - size.y)};
+    list.AddRectFilled({low.x - px(5), low.y - px(1)},
+                       {low.x + size.x + px(5), low.y + size.y + px(1)},
+                       paint(with_alpha(colors().panel, 0.85F)), px(4));
+    list.AddText(low, paint(colors().text), name.c_str());
+}
+
+void FoundersPanel::draw_words(const FrameContext& frame) const {
+    const FounderCrowd& crowd = *frame.coach.founders;
+    const GoalKind* goal = frame.kinds.goals.find(crowd.settings()->goal);
+    const std::string aim = goal == nullptr ? std::string("it") : lower_case(goal->label);
+    const bool running = frame.experiment.snapshot.status == EngineStatus::kRunning;
+    const std::string title =
+        fmt::format("{} random creatures", kNumbers.at(crowd.founders().size()));
+    const std::string words =
+        running ? fmt::format("They are being judged at {}. The best of them takes the front.", aim)
+                : fmt::format("Press Evolve, and watch their descendants get better at {}.", aim);
+    const DrawnWorld* world =
+        shown_world(frame.view, frame.window.scenery, crowd.motion().environment());
+    const Palette& palette = world != nullptr ? palette_over(*world) : colors();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 at = {canvas_.area.x + px(16), canvas_.area.y + px(12)};
+    const auto write = [&](ImFont* font, float size, float down, const std::string& text) {
+        const ImVec2 place = {at.x, at.y + px(down)};
+        list.AddText(font, px(size), {place.x, place.y + 1.0F},
+                     paint(with_alpha(colors().sky, 0.9F)), text.c_str());
+        list.AddText(font, px(size), place, paint(palette.text), text.c_str());
+    };
+    write(ui().fonts.title, 24.0F, 0.0F, title);
+    write(ui().fonts.body, 16.0F, 32.0F, words);
+}
+
+}  // namespace cambrian
