@@ -5,6 +5,7 @@
 #include "core/text/pretty_text.h"
 #include "persist/settings/settings_file.h"
 #include "studio/experiment/timeline_plots.h"
+#include "studio/files/recent_runs.h"
 #include "studio/look/overlays.h"
 #include "studio/panels/generations/tile_list.h"
 
@@ -196,6 +197,12 @@ Remembered recall(const std::filesystem::path& folder, const EvolutionKinds& kin
     }
     if (auto path = read_file(folder / "experiment.path", kMostBytes))
         remembered.experiment = std::move(*path);
+    if (const auto recent = read_file(folder / "recent.txt", kMostBytes)) {
+        std::istringstream lines(*recent);
+        for (std::string line; std::getline(lines, line);)
+            if (!line.empty() && remembered.recent.size() < kMostRecent)
+                remembered.recent.emplace_back(line);
+    }
     if (const auto cluster = read_file(folder / "cluster.conf", kMostBytes))
         remembered.cluster = parse_cluster(*cluster);
     return remembered;
@@ -210,6 +217,10 @@ Status remember(const std::filesystem::path& folder, const Remembered& remembere
         return status;
     if (Status status = write_file(folder / "experiment.path", remembered.experiment); !status)
         return status;
+    std::string recent;
+    for (const std::filesystem::path& path : remembered.recent)
+        if (path.string().find('\n') == std::string::npos) recent += path.string() + "\n";
+    if (Status status = write_file(folder / "recent.txt", recent); !status) return status;
     if (Status status = write_file(folder / "cluster.conf", write_cluster(remembered.cluster));
         !status)
         return status;

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cambrian {
 
@@ -22,6 +23,7 @@ struct Remembered {
     ClusterMemory cluster;
     // What became of settings that could not be read, in words for the user; empty if they could.
     std::string fault = {};
+    std::vector<std::filesystem::path> recent = {};  // runs used lately, the last one first
 
     friend bool operator==(const Remembered&, const Remembered&) = default;
 };

@@ -46,6 +46,9 @@ public:
         controller_.remember_in(options.state_dir);
         controller_.use_assets(options.assets);
         open_first_files();
+        const bool unasked = options.open_file.empty() && !options.evolve && !options.viewer;
+        if (unasked && !controller_.files().recent().empty())
+            controller_.files().carry_out(ToggleStartPage{});
         const bool first_look = !options.state_dir.empty() && options.open_file.empty();
         if (first_look && !options.evolve) controller_.guide().offer_tour();
     }

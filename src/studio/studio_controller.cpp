@@ -56,9 +56,14 @@ StudioController::StudioController(const Remembered& remembered, const Evolution
       comparison_(services_.shared, experiment_, machines.threads),
       coach_(services_.shared, view_, viewer_, experiment_),
       files_(services_.shared, view_, {viewer_, experiment_, generations_, picking_, preserve_}),
-      memory_(
-          {view_, experiment_.open().editor().draft(), remembered.experiment, remembered.cluster}) {
+      memory_({view_,
+               experiment_.open().editor().draft(),
+               remembered.experiment,
+               remembered.cluster,
+               {},
+               remembered.recent}) {
     machines_.begin(remembered.cluster);
+    files_.use_recent(remembered.recent);
     if (!remembered.fault.empty()) services_.feedback.tell(NoticeKind::kProblem, remembered.fault);
 }
 
@@ -76,9 +81,12 @@ void StudioController::reopen_last() {
 
 void StudioController::keep_memory() {
     const OpenExperiment& experiment = std::as_const(experiment_).open();
-    memory_.keep({view_, experiment.editor().settled(),
+    memory_.keep({view_,
+                  experiment.editor().settled(),
                   files_.reopening() ? memory_.experiment() : experiment.files().chosen().string(),
-                  machines_.memory()},
+                  machines_.memory(),
+                  {},
+                  files_.recent()},
                  services_.shared);
 }
 
@@ -102,6 +110,9 @@ void StudioController::update(double now, double elapsed) {
     if (!picking_.on() && !preserve_.on()) generations_.follow_newest();
     generations_.follow_audit();
     coach_.update(elapsed);
+    const OpenExperiment& open = std::as_const(experiment_).open();
+    guide_.follow({open.running(), open.snapshot().champions.size(),
+                   open.editor().draft().world.environment, view_.look, files_.saves()});
     const Stopwatch spent;
     picking_.update(elapsed);
     preserve_.update();

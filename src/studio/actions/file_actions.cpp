@@ -23,6 +23,7 @@ std::vector<Action> file_actions() {
     // clang-format off
     return {
         {"open", "Ctrl+O", "Open…", asks<OpenFilePanel{kOpen}>, {}, {}, "A creature, an experiment, a preserve or settings."},
+        {"start", "", "Start page…", asks<ToggleStartPage{}>, {}, {}, "The runs that were used lately, and the samples."},
         {"samples", "Ctrl+Shift+O", "Samples…", asks<ToggleSamples{}>, {}, {}, "Creatures that were evolved before."},
         {"previous-run", "", "Open the run before", asks<OpenPreviousRun{}>, has_run_before},
         {"new-preserve", "Ctrl+N", "New preserve…", asks<TogglePreserveCard{}>, {}, {}, "A closed world in which creatures feed, breed and die."},

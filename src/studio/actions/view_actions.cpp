@@ -141,6 +141,8 @@ bool close_card(const FrameContext& frame, Requests& out) {
         out.ask(TogglePalette{});
     } else if (frame.tour_shown()) {
         out.ask(TurnTour{-1});
+    } else if (frame.start_shown()) {
+        out.ask(ToggleStartPage{});
     } else if (frame.samples_shown()) {
         out.ask(ToggleSamples{});
     } else if (frame.preserve_card.open) {

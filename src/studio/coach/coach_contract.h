@@ -14,11 +14,17 @@ struct ChooseFounder {
     std::size_t place = 0;
 };
 
-using CoachRequest = std::variant<ChooseFounder>;
+// Shows or hides what can be changed when evolution is stuck.
+struct ShowSuggestions {
+    bool shown = true;
+};
+
+using CoachRequest = std::variant<ChooseFounder, ShowSuggestions>;
 
 struct CoachView {
     const FounderCrowd* founders = nullptr;  // null unless they are displayed
     std::size_t founder = 0;                 // place of the one that the inspector describes
+    bool suggestions = false;                // whether the suggestions are displayed
 };
 
 }  // namespace cambrian

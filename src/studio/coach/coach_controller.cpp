@@ -17,6 +17,7 @@ struct CoachController::Handler {
     void operator()(const ChooseFounder& request) const {
         if (self.founders_shown()) self.experiment_.show_founder(request.place);
     }
+    void operator()(const ShowSuggestions& request) const { self.suggestions_ = request.shown; }
 };
 
 CoachController::CoachController(const Services& services, ViewState& view,
@@ -33,6 +34,7 @@ void CoachController::carry_out(const CoachRequest& request) {
 
 CoachView CoachController::facts() const {
     CoachView view;
+    view.suggestions = suggestions_;
     if (!founders_shown() || crowd_.founders().empty()) return view;
     view.founders = &crowd_;
     const std::uint64_t shown = viewer_.playback().exhibit().individual().uid;
@@ -55,12 +57,15 @@ bool CoachController::founders_shown() const {
 void CoachController::update(double elapsed) {
     follow_founders(elapsed);
     follow_rivals();
+    follow_plateau();
 }
 
 void CoachController::follow_founders(double elapsed) {
     if (!founders_shown()) return;
     const EvolutionSnapshot& snapshot = experiment_.open().snapshot();
-    if (std::exchange(crowd_of_, snapshot.experiment) != snapshot.experiment) {
+    // While settings are edited, or are on their way to the engine, the crowd stays.
+    const bool settled = *snapshot.settings == experiment_.open().editor().draft();
+    if (settled && std::exchange(crowd_of_, snapshot.experiment) != snapshot.experiment) {
         crowd_.show(snapshot.settings);
         services_.feedback.log().write("founders",
                                        {{"count", static_cast<double>(crowd_.founders().size())}});
@@ -140,6 +145,20 @@ void CoachController::celebrate(const JudgedIndividual& champion, const JudgedRi
     }
     services_.feedback.log().write("rival beaten", {{"name", beaten.name}});
     services_.feedback.tell(NoticeKind::kFeat, words);
+}
+
+// Displays suggestions once in a run, when its best rises no longer (evolution/README.md 3).
+void CoachController::follow_plateau() {
+    const EvolutionSnapshot& snapshot = experiment_.open().snapshot();
+    if (snapshot.history.empty() || !stagnant(snapshot.history.back())) {
+        suggestions_ = false;
+        return;
+    }
+    const bool evolved = snapshot.champions.size() > races_from_;
+    if (!evolved || std::exchange(advised_, snapshot.experiment) == snapshot.experiment) return;
+    suggestions_ = true;
+    services_.feedback.log().write(
+        "suggestions", {{"generation", static_cast<double>(snapshot.history.back().generation)}});
 }
 
 // Lets the next rival run beside the champion on display or, if all are beaten, the best of them.

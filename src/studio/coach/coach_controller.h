@@ -1,7 +1,7 @@
 #pragma once
 
-// Accompanies a run: shows its founders before it begins, and lets a sample creature run along as
-// a rival of its champions.
+// Accompanies a run: shows its founders before it begins, lets a sample creature run along as a
+// rival of its champions, and suggests what to change when it is stuck.
 
 #include "studio/coach/coach_contract.h"
 #include "studio/coach/rivals.h"
@@ -41,6 +41,7 @@ private:
     void race(const EvolutionSnapshot& snapshot);
     void celebrate(const JudgedIndividual& champion, const JudgedRival& beaten);
     void run_along();
+    void follow_plateau();
 
     Services services_;
     ViewState& view_;
@@ -57,7 +58,9 @@ private:
     std::uint64_t raced_ = 0;     // the experiment that `ahead_` is of
     std::size_t races_from_ = 0;  // number of champions when that experiment was opened
     std::size_t races_ = 0;       // number of champions compared so far
-    BackgroundWorker worker_;     // last member, so that its jobs end first
+    std::uint64_t advised_ = 0;   // the experiment for which suggestions were displayed last
+    bool suggestions_ = false;
+    BackgroundWorker worker_;  // last member, so that its jobs end first
 };
 
 }  // namespace cambrian

@@ -3,6 +3,7 @@
 // The data of files and samples that panels see, and the requests they may make of them.
 
 #include "studio/files/file_browser.h"
+#include "studio/files/recent_runs.h"
 #include "studio/files/sample_library.h"
 
 #include <cstddef>
@@ -59,16 +60,26 @@ struct ToggleSamples {};
 struct WatchSample {
     std::filesystem::path path;
 };
+struct ToggleStartPage {};
+// Opens a run of the start page.
+struct OpenRun {
+    std::filesystem::path path;
+};
+// Takes a run off the start page; its file stays.
+struct ForgetRun {
+    std::filesystem::path path;
+};
 
 using FilesRequest =
     std::variant<OpenFilePanel, CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile, SaveCell,
                  SaveResident, SavePiece, SavePreserveFile, SaveExperimentFile, OpenPreviousRun,
                  SaveSettingsFile, SaveStatisticsFile, SavePlotPicture, SaveScreenshot,
-                 ToggleSamples, WatchSample>;
+                 ToggleSamples, WatchSample, ToggleStartPage, OpenRun, ForgetRun>;
 
 struct FilesView {
     const FileBrowser& browser;
     const SampleLibrary* samples = nullptr;
+    const StartPage* start = nullptr;
 };
 
 }  // namespace cambrian

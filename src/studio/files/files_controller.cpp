@@ -76,7 +76,10 @@ struct FilesController::Handler {
     void operator()(const ListFolder& request) const {
         self.file_service_.list(request.folder, self.browser_.task);
     }
-    void operator()(const LoadFile& request) const { self.file_service_.load(request.path); }
+    void operator()(const LoadFile& request) const {
+        self.start_.open = false;
+        self.file_service_.load(request.path);
+    }
     void operator()(const SaveCreatureFile& request) const {
         if (self.subjects_.viewer.playback().empty()) return;
         CreatureDocument document = self.displayed_document();
@@ -126,18 +129,24 @@ struct FilesController::Handler {
     void operator()(const ToggleSamples&) const {
         self.samples_.open = !self.samples_.open;
         self.watch_sample({});
-        if (!self.samples_.open) return;
-        FilesController& controller = self;
-        self.services_.worker.submit([&controller, folder = self.samples_folder_,
-                                      &kinds = self.services_.kinds](const std::stop_token&) {
-            auto found = read_samples(folder, kinds);
-            return [&controller, found = std::move(found)] {
-                controller.samples_.samples = found;
-                controller.samples_.read = true;
-                controller.services_.feedback.log().write(
-                    "samples", {{"count", static_cast<double>(found.size())}});
-            };
-        });
+        if (self.samples_.open) self.read_sample_folder();
+    }
+    void operator()(const ToggleStartPage&) const {
+        self.start_.open = !self.start_.open;
+        self.watch_sample({});
+        if (!self.start_.open) return;
+        self.read_runs();
+        self.read_sample_folder();
+    }
+    void operator()(const OpenRun& request) const {
+        self.start_.open = false;
+        if (request.path != self.subjects_.experiment.open().files().chosen())
+            self.file_service_.load(request.path);
+    }
+    void operator()(const ForgetRun& request) const {
+        std::erase(self.start_.paths, request.path);
+        std::erase_if(self.start_.runs,
+                      [&request](const RecentRun& run) { return run.path == request.path; });
     }
 };
 
@@ -170,6 +179,7 @@ struct FilesController::Receiver {
     void operator()(const SettingsLoaded& event) const {
         const Status status = self.subjects_.experiment.open().replace(event.settings);
         if (!status) return feedback().report(status);
+        self.view_.newest_champion = false;  // that of the run before
         self.subjects_.experiment.show_founder(0);
         log("loaded", event.path);
         feedback().tell(NoticeKind::kDone,
@@ -192,6 +202,7 @@ struct FilesController::Receiver {
                     event.path.string()));
         }
         self.subjects_.preserve.carry_out(ClosePreserve{});
+        if (!reopened) use_run(self.start_.paths, event.path);
         OpenedExperiment& opened = *event.experiment;
         const std::size_t generations = opened.saved.champions.size();
         experiment.go_on(std::move(opened.saved), std::move(opened.file), event.path);
@@ -209,14 +220,17 @@ struct FilesController::Receiver {
                         counted(generations, "generation")));
     }
     void operator()(PreserveLoaded& event) const {
-        self.reopening_ = false;
+        if (!std::exchange(self.reopening_, false)) use_run(self.start_.paths, event.path);
         self.subjects_.preserve.open(std::move(*event.world));
         log("loaded", event.path);
     }
     void operator()(const FileSaved& event) const {
         log("saved", event.path);
-        if (event.path.extension() == ".cambrian")  // an experiment
+        ++self.saves_;
+        if (event.path.extension() == ".cambrian") {  // an experiment
             self.subjects_.experiment.open().files().moved_to(event.path);
+            use_run(self.start_.paths, event.path);
+        }
         feedback().tell(NoticeKind::kDone, "Saved " + event.path.string());
     }
     void operator()(CardPrepared& event) const { self.orders_.card = std::move(event.card); }
@@ -260,6 +274,37 @@ void FilesController::update(double elapsed) {
 
 void FilesController::carry_out(const FilesRequest& request) {
     std::visit(Handler{*this}, request);
+}
+
+void FilesController::read_sample_folder() {
+    services_.worker.submit(
+        [this, folder = samples_folder_, &kinds = services_.kinds](const std::stop_token&) {
+            auto found = read_samples(folder, kinds);
+            return [this, found = std::move(found)] {
+                samples_.samples = found;
+                samples_.read = true;
+                services_.feedback.log().write("samples",
+                                               {{"count", static_cast<double>(found.size())}});
+            };
+        });
+}
+
+// Each run is a job of its own, so that a large one does not keep other files waiting.
+void FilesController::read_runs() {
+    start_.read = false;
+    start_.runs.clear();
+    for (const std::filesystem::path& path : start_.paths) {
+        services_.worker.submit([this, path, &kinds = services_.kinds](const std::stop_token&) {
+            return [this, run = read_run(path, kinds)] { start_.runs.push_back(run); };
+        });
+    }
+    services_.worker.submit([this](const std::stop_token&) {
+        return [this] {
+            start_.read = true;
+            services_.feedback.log().write("start page",
+                                           {{"runs", static_cast<double>(start_.runs.size())}});
+        };
+    });
 }
 
 void FilesController::open_now(const std::filesystem::path& path, ExhibitSource source) {

@@ -11,6 +11,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace cambrian {
 
@@ -41,7 +43,10 @@ public:
     // Whether a sample moves.
     bool animating() const { return samples_.motion != nullptr; }
     void carry_out(const FilesRequest& request);
-    FilesView facts() const { return {.browser = browser_, .samples = &samples_}; }
+    FilesView facts() const {
+        return {.browser = browser_, .samples = &samples_, .start = &start_};
+    }
+    unsigned saves() const { return saves_; }  // number of files saved so far
 
     // Sets the folder of the sample creatures.
     void use_samples(const std::filesystem::path& folder) { samples_folder_ = folder; }
@@ -49,6 +54,9 @@ public:
     void open_now(const std::filesystem::path& path, ExhibitSource source);
     // Reads, in the background, the experiment that was open when the program was last used.
     void reopen(const std::filesystem::path& path);
+    // The runs that were used lately, the last one first.
+    void use_recent(std::vector<std::filesystem::path> paths) { start_.paths = std::move(paths); }
+    const std::vector<std::filesystem::path>& recent() const { return start_.paths; }
     // Whether reopen() is still reading.
     bool reopening() const { return reopening_; }
 
@@ -61,6 +69,8 @@ private:
     struct Handler;
     struct Receiver;
     bool may_open(FileTask task);
+    void read_sample_folder();
+    void read_runs();
     std::string suggested_name(FileTask task) const;
     void watch_sample(const std::filesystem::path& path);
     void show(const CreatureDocument& document, ExhibitSource source,
@@ -75,6 +85,8 @@ private:
     std::filesystem::path samples_folder_;
     SampleLibrary samples_;
     std::optional<GridMotion> sample_motion_;  // of the sample that is watched
+    StartPage start_;
+    unsigned saves_ = 0;
     PictureOrders orders_;
     bool reopening_ = false;
 };

@@ -32,11 +32,12 @@ struct FrameContext {
     bool world_shown() const { return preserve != nullptr && !preserve->single; }
     // The tour waits while a preserve is open.
     bool tour_shown() const { return guide.tour_step >= 0 && preserve == nullptr; }
+    bool start_shown() const { return files.start != nullptr && files.start->open; }
     bool samples_shown() const { return files.samples != nullptr && files.samples->open; }
     // Whether a card lies over the grid or the world, so that keys are not for these.
     bool covered() const {
         return window.palette_open || files.browser.open || guide.help_shown ||
-               preserve_card.open || samples_shown() || tour_shown();
+               preserve_card.open || samples_shown() || start_shown() || tour_shown();
     }
     bool machines_told() const { return machines != nullptr && cluster_wanted(*machines); }
     // Whether a line of text is shown along the bottom.

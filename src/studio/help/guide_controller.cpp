@@ -1,7 +1,5 @@
 #include "studio/help/guide_controller.h"
 
-#include "studio/help/tour.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -28,6 +26,7 @@ struct GuideController::Handler {
     void operator()(const TurnTour& request) const {
         const bool over = request.step < 0 || request.step >= static_cast<int>(tour_steps().size());
         self.facts_.tour_step = over ? -1 : request.step;
+        self.before_ = self.deeds_;
         self.services_.feedback.log().write("tour",
                                             {{"step", static_cast<double>(self.facts_.tour_step)}});
         if (over) self.view_.tour_taken = true;
@@ -64,6 +63,13 @@ void GuideController::show_pictures() {
 
 void GuideController::offer_tour() {
     if (!view_.tour_taken) carry_out(TurnTour{0});
+}
+
+void GuideController::follow(const Deeds& deeds) {
+    deeds_ = deeds;
+    if (facts_.tour_step < 0) return;
+    const TourStep& step = tour_steps()[static_cast<std::size_t>(facts_.tour_step)];
+    if (step.done(before_, deeds_)) carry_out(TurnTour{facts_.tour_step + 1});
 }
 
 void GuideController::carry_out(const GuideRequest& request) {

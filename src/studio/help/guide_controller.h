@@ -4,6 +4,7 @@
 
 #include "studio/background/services.h"
 #include "studio/help/guide_contract.h"
+#include "studio/help/tour.h"
 #include "studio/look/view_state.h"
 
 #include <filesystem>
@@ -22,6 +23,9 @@ public:
     void read(const std::filesystem::path& folder, std::string keys, std::string words);
     // Starts the tour unless the user took or declined it before.
     void offer_tour();
+    // Must be called once a frame with what the user did so far; a deed that the tour waits for
+    // leads to its next step.
+    void follow(const Deeds& deeds);
     void carry_out(const GuideRequest& request);
     GuideView facts() const { return facts_; }
 
@@ -34,6 +38,8 @@ private:
     std::filesystem::path folder_;
     HelpIndex help_;
     GuideView facts_;
+    Deeds deeds_;   // of the last frame
+    Deeds before_;  // when the tour's step was displayed
 };
 
 }  // namespace cambrian

@@ -31,6 +31,8 @@ Press `H` to [select by hand](hand_picking.md): click the creatures you like in 
 Press `Ctrl+N` to begin a [preserve](preserve.md): a closed world in which creatures feed, breed and
 die by themselves.
 
+- [The first minute](first_minute.md) tells what the window shows while a run begins: founders, the
+  rival, suggestions, and the start page with earlier runs.
 - The *?* in the corner of each panel opens its page: [settings](experiment.md),
   [viewport](viewport.md), [inspector](inspector.md), [timeline](timeline.md).
 - [Keys](keys.md) lists what the keyboard does. Everything of the first minute works without a

@@ -5,24 +5,34 @@
 namespace cambrian {
 namespace {
 
-constexpr std::array kSteps = {
-    TourStep{"Evolve", "Evolve",
-             "This button, or Space, breeds creatures, tries them in their world and selects the "
-             "best. Press it again to pause."},
-    TourStep{"panel experiment", "Experiment",
-             "All rules are here and can be changed while creatures evolve. Drag the gravity and "
-             "the creature on display feels it at once."},
-    TourStep{
-        "panel viewport", "Viewport",
-        "The creature on display moves exactly as when it was scored. Take hold of it with the "
-        "mouse, drag with the right button to look around, scroll to come closer."},
-    TourStep{"panel timeline", "Timeline",
-             "Each generation adds its best, median and spread. Click to watch the champion of "
-             "any past generation."},
-    TourStep{"panel inspector", "Inspector",
-             "The body, brain and genes of the creature on display, live. Save what you like with "
-             "Ctrl+S; F1 tells the rest."},
+// clang-format off
+const std::array kSteps = {
+    TourStep{"Evolve", "panel timeline", "Press Evolve",
+             "Or the space bar. Creatures are judged in their world; the best of them have children.",
+             [](const Deeds& before, const Deeds& now) {
+                 return now.evolving || now.generations > before.generations;
+             }},
+    TourStep{"panel timeline", nullptr, "Watch a generation pass",
+             "Each one adds its best and its median here, and its best creature takes the front.",
+             [](const Deeds& before, const Deeds& now) {
+                 return now.generations > before.generations;
+             }},
+    TourStep{"environment.gravity", nullptr, "Change a law",
+             "Drag the gravity. The creature in front feels it at once; its descendants have to "
+             "live with it.",
+             [](const Deeds& before, const Deeds& now) {
+                 return !(now.environment == before.environment);
+             }},
+    TourStep{"panel viewport", nullptr, "Look inside: press L",
+             "L shows the bones through a pale skin, then the boxes that physics moves, then life "
+             "again.",
+             [](const Deeds& before, const Deeds& now) { return now.look != before.look; }},
+    TourStep{"Save it", nullptr, "Keep it: press Ctrl+S",
+             "Save the creature in front to a file. With a name that ends in .png it becomes a "
+             "card to share.",
+             [](const Deeds& before, const Deeds& now) { return now.saves > before.saves; }},
 };
+// clang-format on
 
 }  // namespace
 

@@ -9,6 +9,8 @@
 #include "studio/panels/cards/notice_strip.h"
 #include "studio/panels/cards/palette_panel.h"
 #include "studio/panels/cards/samples_panel.h"
+#include "studio/panels/cards/start_panel.h"
+#include "studio/panels/cards/suggestions_card.h"
 #include "studio/panels/cards/tour_card.h"
 #include "studio/panels/experiment/experiment_panel.h"
 #include "studio/panels/generations/population_panel.h"
@@ -110,6 +112,12 @@ bool palette_open(const FrameContext& frame) {
 bool samples_open(const FrameContext& frame) {
     return frame.samples_shown();
 }
+bool start_open(const FrameContext& frame) {
+    return frame.start_shown();
+}
+bool suggestions_open(const FrameContext& frame) {
+    return frame.coach.suggestions && evolving(frame);
+}
 bool machines_told(const FrameContext& frame) {
     return frame.machines_told() && frame.preserve == nullptr;
 }
@@ -152,10 +160,12 @@ const std::array kPanels = {
     PanelKind{"energy plot",   {kBottomRight},                            preserve_open,  make<EnergyPlotPanel>},
     PanelKind{"world line",    {kUnderAll, 14, 4},                        preserve_open,  make<WorldLine>},
     PanelKind{"machines line", {kUnderAll, 14, 4},                        machines_told,  make<MachinesLine>},
+    PanelKind{"suggestions",   {kCard, 16, 14, {}, 10, suggestions_place}, suggestions_open, make<SuggestionsCard>},
     PanelKind{"files",         {kCard, 20, 18, {}, 10, centered<620, 560>}, files_open,   make<FilePanel>},
     PanelKind{"new preserve",  {kCard, 20, 18, {}, 10, centered<480, 600>}, preserve_card_open, make<NewPreserveCard>},
     PanelKind{"help",          {kCard, 20, 18, {}, 10, centered<860, 640>}, help_open,    make<HelpPanel>},
     PanelKind{"samples",       {kCard, 20, 18, {}, 10, centered<780, 560>}, samples_open, make<SamplesPanel>},
+    PanelKind{"start",         {kCard, 20, 18, {}, 10, centered<800, 600>}, start_open,   make<StartPanel>},
     PanelKind{"machines",      {kCard, 20, 18, {}, 10, centered<860, 600>}, machines_open, make<MachinesPanel>},
     PanelKind{"comparison",    {kCard, 20, 18, {}, 10, centered<860, 640>}, comparison_open, make<ComparisonPanel>},
     PanelKind{"tour",          {kCard, 20, 18, {}, 10, tour_place},       touring,        make<TourCard>},

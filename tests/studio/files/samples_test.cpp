@@ -73,6 +73,7 @@ TEST_CASE("a click on a sample opens it", "[studio][samples]") {
     const auto body =
         std::make_shared<const Phenotype>(express(*genome, test::kinds().creature, {}, {}));
     SampleLibrary library;
+    library.open = true;
     library.samples = {{"/a.creature.json", "Crawler", "Walking, 2 m", 0.2, body},
                        {"/b.creature.json", "Hopper", "Jumping, 1 m", 0.4, body},
                        {"/c.creature.json", "Cut", "c.creature.json: E01 line 1", 0.0, nullptr}};

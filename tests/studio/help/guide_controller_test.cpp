@@ -25,6 +25,31 @@ TEST_CASE("the tour is offered until the user takes or declines it", "[studio][g
     CHECK(run.studio.frame_context().guide.tour_step == 0);
 }
 
+TEST_CASE("the tour goes on by itself when a deed is done", "[studio][guide]") {
+    StudioRun run;
+    const auto step = [&] { return run.studio.frame_context().guide.tour_step; };
+    run.studio.show_founders();
+    run.studio.guide().offer_tour();
+    run.studio.update(0.0, 0.001);
+    CHECK(step() == 0);
+    run.ask(RunOneGeneration{});  // evolving is the first deed, a finished generation the second
+    REQUIRE(run.frames_until([&] { return step() == 2; }));
+    ExperimentSettings moon = run.studio.frame_context().experiment.editor.draft();
+    moon.world.environment.gravity = 1.62;
+    run.ask(EditSettings{moon, "environment.gravity"});
+    run.studio.update(1.0, 0.001);
+    CHECK(step() == 3);
+    ViewState view = run.studio.view();
+    view.look = LookMode::kGlass;
+    run.ask(ChangeView{view});
+    run.studio.update(2.0, 0.001);
+    CHECK(step() == 4);
+    CHECK_FALSE(run.studio.view().tour_taken);
+    run.ask(SaveCreatureFile{run.folder.path() / "kept.creature.json"});
+    REQUIRE(run.frames_until([&] { return step() == -1; }));
+    CHECK(run.studio.view().tour_taken);
+}
+
 TEST_CASE("help pages and samples are read from the assets", "[studio][guide]") {
     StudioRun run;
     run.studio.use_assets(std::string(CAMBRIAN_SOURCE_DIR) + "/assets");

@@ -113,8 +113,7 @@ TEST_CASE("a click on the timeline shows that generation's champion", "[studio][
     CHECK(test::asked<ShowChampion>(out).generation == 10);
 }
 
-TEST_CASE("a stagnant run offers random immigrants and MAP-Elites and does neither by itself",
-          "[studio][timeline]") {
+TEST_CASE("a stagnant run offers suggestions and changes nothing by itself", "[studio][timeline]") {
     NullImGui gui;
     TimelinePanel panel;
     test::StudioFixture studio;
@@ -122,14 +121,11 @@ TEST_CASE("a stagnant run offers random immigrants and MAP-Elites and does neith
         studio.finish_generation(0.5);
     Requests unasked;
     gui.frame([&] { panel.draw(studio.frame(), unasked); });
-    CHECK_FALSE(gui.has("Add immigrants"));
+    CHECK_FALSE(gui.has("What to change"));
     studio.snapshot().history.back().generations_without_progress = 20;
     gui.frame([&] { panel.draw(studio.frame(), unasked); });
     CHECK(unasked.all().empty());
-    CHECK(test::asked<AddImmigrants>(click(gui, panel, studio, "Add immigrants")).share == 0.2);
-    const Requests kinds = click(gui, panel, studio, "Many kinds");
-    CHECK(test::asked<EditSettings>(kinds).settings.selection.method == "map-elites");
-    CHECK(test::was_asked<FinishEdit>(kinds));
+    CHECK(test::asked<ShowSuggestions>(click(gui, panel, studio, "What to change")).shown);
 }
 
 TEST_CASE("a click on a tile shows its creature", "[studio][population]") {

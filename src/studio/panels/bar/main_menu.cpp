@@ -16,7 +16,7 @@ struct Menu {
 };
 constexpr std::array kMenus = {
     Menu{"File",
-         "open samples previous-run | new-preserve add-file keep-preserve close-preserve | "
+         "start open samples previous-run | new-preserve add-file keep-preserve close-preserve | "
          "save-creature save-experiment save-settings export-* screenshot | compare machines | "
          "quit"},
     Menu{"Edit", "undo redo | palette find-setting | new-run-* evolve-shown"},

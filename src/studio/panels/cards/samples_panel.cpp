@@ -74,7 +74,7 @@ void SamplesPanel::draw_tiles(const SampleLibrary& library, Requests& out) {
         const bool aimed = i == aimed_;
         if (!draw_tile(library.samples[i], library, aimed, out) && !(aimed && entered)) continue;
         out.ask(LoadFile{library.samples[i].path});
-        out.ask(ToggleSamples{});
+        if (library.open) out.ask(ToggleSamples{});
     }
     if (whole == library.samples.size()) return;
     ImGui::Dummy({0, px(4)});

@@ -12,7 +12,7 @@ namespace cambrian {
 namespace {
 
 constexpr float kWidth = 340.0F;
-constexpr float kHeight = 176.0F;
+constexpr float kHeight = 158.0F;
 constexpr float kTourGap = 12.0F;
 
 Rect shifted_inside(Rect card, const Rect& window) {
@@ -54,13 +54,21 @@ Rect tour_card_place(const Rect& subject, const Rect& window) {
 
 Rect tour_place(const FrameContext& frame, const CardSpace& space) {
     const auto& places = ui().places;
+    const auto is_shown = [&places](const auto& found) {
+        return found != places.end() && found->second.frame == ImGui::GetFrameCount() &&
+               found->second.rect.width > 1.0F;
+    };
     const auto step = static_cast<std::size_t>(frame.guide.tour_step);
     const auto found = places.find(tour_steps()[step].place);
-    const bool shown = found != places.end() && found->second.frame == ImGui::GetFrameCount();
-    if (!shown || found->second.rect.width <= 1.0F)
-        return tour_card_place(space.window, space.window);
+    if (!is_shown(found)) return tour_card_place(space.window, space.window);
     outline_subject(found->second.rect);
-    return tour_card_place(found->second.rect, space.window);
+    const char* over = tour_steps()[step].over;
+    const auto covered = over == nullptr ? places.end() : places.find(over);
+    if (!is_shown(covered)) return tour_card_place(found->second.rect, space.window);
+    const ImVec2 middle = covered->second.rect.center();
+    return shifted_inside(
+        {middle.x - 0.5F * px(kWidth), middle.y - 0.5F * px(kHeight), px(kWidth), px(kHeight)},
+        space.window);
 }
 
 void TourCard::draw(const FrameContext& frame, Requests& out) {
@@ -94,8 +102,7 @@ void TourCard::draw(const FrameContext& frame, Requests& out) {
         ImGui::SameLine();
     }
     const bool pressed =
-        push_button(last ? "Done" : "Next",
-                    {.look = ButtonLook::kPrimary, .width = next_width, .tooltip = "Enter"});
+        push_button(last ? "Done" : "Next", {.width = next_width, .tooltip = "Enter"});
     if (pressed || panel_key(ImGuiKey_Enter)) out.ask(TurnTour{frame.guide.tour_step + 1});
 }
 

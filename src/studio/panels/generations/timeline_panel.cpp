@@ -16,7 +16,6 @@
 namespace cambrian {
 namespace {
 
-constexpr double kImmigrantShare = 0.2;
 constexpr float kMarkReach = 5.0F;  // distance to a mark within which its text is shown
 constexpr int kLongStride = 10;     // generations per key press with Shift
 
@@ -62,39 +61,18 @@ void draw_heading(const FrameContext& frame, Requests& out) {
         ImGui::OpenPopup("export");
 }
 
-// Returns the first selection method that keeps the fittest of every cell of the map, or null.
-const SelectionKind* mapping_method(const SelectionRegistry& selections) {
-    const auto found = std::find_if(selections.all().begin(), selections.all().end(),
-                                    [](const SelectionKind& kind) { return kind.fills_map; });
-    return found == selections.all().end() ? nullptr : &*found;
-}
-
-// Suggests remedies if the best fitness has not risen for long (evolution/README.md 3).
+// Says that the best fitness has not risen for long (evolution/README.md 3).
 void draw_stagnation(const FrameContext& frame, Requests& out) {
     const auto& history = frame.experiment.snapshot.history;
     if (history.empty() || !stagnant(history.back())) return;
-    const ExperimentSettings& draft = frame.experiment.editor.draft();
     const WithFont font(ui().fonts.small);
-    const float height = ImGui::GetFrameHeight();
     ImGui::AlignTextToFramePadding();
     muted_text(fmt::format("The best has not risen for {} generations.",
                            history.back().generations_without_progress));
     ImGui::SameLine(0, px(10));
-    if (push_button("Add immigrants",
-                    {.height = height,
-                     .tooltip = "Random immigrants become a fifth of the next generation, once."}))
-        out.ask(AddImmigrants{kImmigrantShare});
-    const SelectionKind* mapped = mapping_method(frame.kinds.selections);
-    if (mapped == nullptr || draft.selection.method == mapped->id) return;
-    ImGui::SameLine();
-    if (push_button("Many kinds", {.height = height,
-                                   .tooltip = "Keep the fittest of every kind of body: the "
-                                              "selection method becomes MAP-Elites."})) {
-        ExperimentSettings edited = draft;
-        edited.selection.method = mapped->id;
-        out.ask(EditSettings{std::move(edited), "selection.method"});
-        out.ask(FinishEdit{});
-    }
+    if (push_button("What to change", {.height = ImGui::GetFrameHeight(),
+                                       .tooltip = "Suggestions, each of which is one click"}))
+        out.ask(ShowSuggestions{!frame.coach.suggestions});
 }
 
 // Returns the settings in which two journal entries differ, with both values, one per line.
