@@ -8,6 +8,8 @@
 namespace cambrian {
 namespace {
 
+constexpr float kWidestMenu = 360.0F;
+
 void draw_item(const FoundAction& found, const FrameContext& frame, Requests& out) {
     const Action& action = *found.action;
     const std::string keys = present_keys(action, frame);
@@ -38,8 +40,11 @@ void action_items(const std::string& ids, const FrameContext& frame, Requests& o
 
 void action_popup(const char* name, const std::string& ids, const FrameContext& frame,
                   Requests& out) {
-    const ImVec2 corner = ImGui::GetItemRectMax();
-    ImGui::SetNextWindowPos({corner.x, corner.y + px(4)}, ImGuiCond_Always, {1.0F, 0.0F});
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const bool fits = high.x > px(kWidestMenu);
+    ImGui::SetNextWindowPos({fits ? high.x : low.x, high.y + px(4)}, ImGuiCond_Always,
+                            {fits ? 1.0F : 0.0F, 0.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(10), px(8)));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(18), px(8)));
     if (ImGui::BeginPopup(name)) {
