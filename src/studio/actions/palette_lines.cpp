@@ -133,8 +133,9 @@ void add_help(std::string_view words, const std::vector<HelpPlace>& help,
         if (!rank || (place.page == kKeysPage && *rank > 2)) continue;
         before = &place;
         ++count;
-        std::string where = place.heading == place.title ? "" : place.title + ": ";
-        if (place.text != place.heading) where += excerpt(place.text, sought);
+        std::string where = place.heading == place.title ? "" : place.title;
+        if (place.text != place.heading)
+            where += (where.empty() ? "" : ": ") + excerpt(place.text, sought);
         lines.push_back(
             {*rank,
              {place.heading, where, "help", true,
