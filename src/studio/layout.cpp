@@ -75,7 +75,8 @@ Layout divide_window(float width, float height, const ViewState& view, float sca
                                    {260 * scale, 360 * scale, 0.4F * width}, scale);
     const float bottom = panel_size(
         view.panels.bottom, view.panels.bottom_height, 0.26F * height,
-        {(height < kLowHeight * scale ? 120 : 176) * scale, 270 * scale, 0.5F * height}, scale);
+        {(height < kLowHeight * scale ? 120.0F : 176.0F) * scale, 270 * scale, 0.5F * height},
+        scale);
     const float left_edge = std::round(left > 0 ? left + gap : 0);
     const float right_edge = std::round(right > 0 ? width - right : width + gap);
     const float bottom_edge = std::round(bottom > 0 ? height - bottom : height + gap);

@@ -103,11 +103,11 @@ TEST_CASE("joint coordinates are listed in the order of the parts asked for", "[
         scene->set_target(part, 0.1 * static_cast<double>(part));
     for (int tick = 0; tick < 30; ++tick)
         scene->advance(1.0 / 60.0);
-    const std::vector<std::uint16_t> parts = {9, 4, 1, 0, 7};
-    std::vector<double> coordinates(parts.size(), -1.0);
-    scene->list_joint_coordinates(parts, coordinates);
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        CHECK(coordinates[i] == scene->joint_coordinate(parts[i]));
+    const std::vector<JointDegree> degrees = {{9, 0}, {4, 0}, {1, 0}, {0, 0}, {7, 0}};
+    std::vector<double> coordinates(degrees.size(), -1.0);
+    scene->list_joint_coordinates(degrees, coordinates);
+    for (std::size_t i = 0; i < degrees.size(); ++i)
+        CHECK(coordinates[i] == scene->joint_coordinate(degrees[i].part));
     CHECK(coordinates[0] != 0.0);
     CHECK(coordinates[0] != coordinates[2]);
     CHECK(coordinates[1] == 0.0);

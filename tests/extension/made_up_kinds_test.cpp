@@ -115,10 +115,7 @@ Genome breed_second(const Genome& /*first*/, const Genome& second, const KindCat
 constexpr KindParameter<int> kPart{"one-in", 2};
 
 void add_part_settings(SelectionRows& rows) {
-    rows.table
-        .number(
-            kPart.key, "One in", "", {1, 6}, "Of so many creatures one survives.",
-            [](ExperimentSettings & s) -> auto& { return kPart.in(s.selection.own); })
+    rows.table.number(kPart, kPart.key, "One in", "", {1, 6}, "Of so many creatures one survives.")
         .applies = rows.in_force;
 }
 

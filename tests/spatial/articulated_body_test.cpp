@@ -90,8 +90,7 @@ TEST_CASE("Accelerations of random bodies satisfy the equations of motion") {
             const Vec3 force =
                 model.bodies[b].mass * (own.linear - mean + center - forcing.medium.gravity);
             const Vec3 moment = k.inertia[b] * own.turning +
-                                k.spin[b].cross(Vec3(k.inertia[b] * k.spin[b])) +
-                                k.place[b].cross(force);
+                                k.spin[b].cross(k.inertia[b] * k.spin[b]) + k.place[b].cross(force);
             missing[static_cast<std::size_t>(b)] = {moment - evaluation.loads.wrench[b].angular,
                                                     force - evaluation.loads.wrench[b].linear};
             scale = largest(largest(scale, moment), force);

@@ -80,7 +80,7 @@ TEST_CASE("Mirrored limbs in space move as mirror images") {
         }
         const Pose root = scene->part_pose(0);
         const auto local = [&root](const Vec3& point) {
-            return Vec3(root.orientation.conjugate() * Vec3(point - root.position));
+            return root.orientation.conjugate() * (point - root.position);
         };
         // Parts 1 and 2 are a pair, and so are those that grow on them.
         for (const std::array<std::size_t, 2>& pair :

@@ -84,8 +84,8 @@ Result<RunOutputs> run_outputs(const OutputWish& wish) {
 Result<std::filesystem::path> save_champion(const RunOutputs& outputs, const OutputWish& wish,
                                             const CreatureDocument& champion,
                                             const EvolutionKinds& kinds) {
-    const auto saved = outputs.numbered ? save_numbered(outputs.champion, wish, champion, kinds)
-                                        : save_replacing(outputs.champion, champion, kinds);
+    auto saved = outputs.numbered ? save_numbered(outputs.champion, wish, champion, kinds)
+                                  : save_replacing(outputs.champion, champion, kinds);
     if (saved) return saved;
     const Result<std::filesystem::path> folder = make_lasting_private_folder();
     if (!folder) return saved.error();

@@ -57,7 +57,7 @@ std::optional<JudgedRival> judged_rival(const std::filesystem::path& path,
     here.expression = its.expression;
     const GenomePtr& genome = document->creature.individual->genome;
     const std::optional<double> score = score_under(here, genome, kinds, stop);
-    if (!score) return std::nullopt;
+    if (!score || *score <= 0.0) return std::nullopt;  // it would be beaten by standing still
     const double travel = travel_of(here, *genome, kinds.creature);
     JudgedIndividual creature = document->creature;
     creature.settings = std::make_shared<const ExperimentSettings>(std::move(here));

@@ -2,8 +2,6 @@
 
 #include "studio/frame/frame_context.h"
 
-#include <utility>
-
 namespace cambrian {
 
 // Asks for the present view after `change(ViewState&)`.
@@ -11,7 +9,7 @@ template <class Change>
 void change_view(const FrameContext& frame, Requests& out, const Change& change) {
     ViewState view = frame.view;
     change(view);
-    out.ask(ChangeView{std::move(view)});
+    out.ask(ChangeView{view});
 }
 
 }  // namespace cambrian

@@ -15,7 +15,8 @@ const std::array kSteps = {
     TourStep{"panel timeline", nullptr, "Watch a generation pass",
              "Each one adds its best and its median here, and its best creature takes the front.",
              [](const Deeds& before, const Deeds& now) {
-                 return now.generations > before.generations;
+                 const bool stopped = !now.evolving && now.generations > 0;
+                 return stopped || now.generations > before.generations;
              }},
     TourStep{"environment.gravity", nullptr, "Change a law",
              "Drag the gravity. The creature in front feels it at once; its descendants have to "

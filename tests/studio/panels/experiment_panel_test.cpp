@@ -24,15 +24,15 @@ TEST_CASE("the plain panel has what matters most, in plain words, and tells of o
         CHECK(run.gui.has(name));
     CHECK_FALSE(run.gui.has("group goal"));
     CHECK_FALSE(run.gui.has("selection.method"));
-    CHECK_FALSE(run.gui.has("other changes"));
+    CHECK_FALSE(run.gui.has("1 more differs from its default"));
     ExperimentSettings edited = run.studio.editor().draft();
     edited.world.environment.gravity = 3.0;
     run.studio.editor().replace(edited);
     run.frame();
-    CHECK_FALSE(run.gui.has("other changes"));
+    CHECK_FALSE(run.gui.has("1 more differs from its default"));
     edited.world.trial.duration = 30.0;
     run.studio.editor().replace(edited);
-    CHECK(test::asked<ChangeView>(run.click("other changes")).view.all_settings);
+    CHECK(test::asked<ChangeView>(run.click("1 more differs from its default")).view.all_settings);
     CHECK(test::asked<ChangeView>(run.click("All settings")).view.all_settings);
     run.click("environment preset");
     const auto& edit = test::asked<EditSettings>(run.click("Moon"));

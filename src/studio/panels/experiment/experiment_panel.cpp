@@ -222,7 +222,6 @@ void ExperimentPanel::draw_other_changes(const FrameContext& frame, Requests& ou
     ImGui::Indent(px(kLabelIndent));
     if (push_button(words, {.look = ButtonLook::kGhost, .tooltip = names.c_str()}))
         change_view(frame, out, [](ViewState& view) { view.all_settings = true; });
-    note_place("other changes");
     ImGui::Unindent(px(kLabelIndent));
 }
 
