@@ -49,7 +49,7 @@ def place_faults(places):
 
 
 class StudioLook(StudioTest):
-    frame_rate = 10  # all keys are held
+    frame_rate = 20
 
     def test_everything_looks_right_at_1280x720(self):
         self.look_at_everything(1280, 720, 1, painted=True)
