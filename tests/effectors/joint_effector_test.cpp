@@ -17,7 +17,7 @@ struct Muscle {
     double drive(double signal, double dt) {
         static const EffectorRegistry effectors = builtin_effectors();
         const double share = smoothing_share(dt, settings.target_smoothing);
-        effectors[0].drive({part, 1}, signal, share, settings, memory, scene);
+        effectors[0].drive({part, {1, 0}}, signal, share, settings, memory, scene);
         return scene.targets[1];
     }
 };
