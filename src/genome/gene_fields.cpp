@@ -51,57 +51,27 @@ double draw_root_angle(const FounderSettings& /*settings*/, RandomStream& stream
     return stream.chance(0.5) ? 0.0 : stream.uniform(-kPi, kPi);
 }
 
+// Of any degree of freedom.
+constexpr FieldRule kLowLimit = {"low limit", "limits/0",  -kMaxLimit,     -kMinLimit, -1.0,
+                                 false,       {0.25, 0.2}, draw_limit_low, "rad"};
+constexpr FieldRule kHighLimit = {"high limit", "limits/1",  kMinLimit,       kMaxLimit, 1.0,
+                                  false,        {0.25, 0.2}, draw_limit_high, "rad"};
+
 constexpr std::size_t kPlanarNodeFields = 4;
 constexpr std::array<GeneField<NodeGene>, 5> kNodeFields = {{
     {{"length", "length", kMinSize, kMaxLength, 0.5, false, {0.20, 0.1}, draw_length, "m"},
      &NodeGene::length},
     {{"width", "width", kMinSize, kMaxWidth, 0.2, false, {0.20, 0.1}, draw_width, "m"},
      &NodeGene::width},
-    {{"low limit",
-      "limits/0",
-      -kMaxLimit,
-      -kMinLimit,
-      -1.0,
-      false,
-      {0.25, 0.2},
-      draw_limit_low,
-      "rad"},
-     &NodeGene::limit_low},
-    {{"high limit",
-      "limits/1",
-      kMinLimit,
-      kMaxLimit,
-      1.0,
-      false,
-      {0.25, 0.2},
-      draw_limit_high,
-      "rad"},
-     &NodeGene::limit_high},
+    {kLowLimit, &NodeGene::limit_low},
+    {kHighLimit, &NodeGene::limit_high},
     {{"depth", "depth", kMinSize, kMaxWidth, 0.2, false, {0.20, 0.1}, draw_width, "m"},
      &NodeGene::depth},
 }};
 
 constexpr std::array<GeneField<DegreeGene>, 2> kDegreeFields = {{
-    {{"low limit",
-      "limits/0",
-      -kMaxLimit,
-      -kMinLimit,
-      -1.0,
-      false,
-      {0.25, 0.2},
-      draw_limit_low,
-      "rad"},
-     &DegreeGene::limit_low},
-    {{"high limit",
-      "limits/1",
-      kMinLimit,
-      kMaxLimit,
-      1.0,
-      false,
-      {0.25, 0.2},
-      draw_limit_high,
-      "rad"},
-     &DegreeGene::limit_high},
+    {kLowLimit, &DegreeGene::limit_low},
+    {kHighLimit, &DegreeGene::limit_high},
 }};
 
 // Steps of a position are absolute: 0.06 of the outline or, in one case of five, 0.25.
