@@ -96,6 +96,26 @@ Six solve_root(const double (&factor)[6][6], const Six& bias) {
     return -1.0 * six_of(x);
 }
 
+// The pass from the root to the leaves: accelerations of all bodies and degrees. `coriolis` has
+// each degree's velocity product; without it only the efforts count.
+void pass_outwards(const Model& model, const Kinematics& k, const Factors& factors,
+                   const double* drive, const Six& root_bias, const Six* coriolis,
+                   Response& response) {
+    Six acceleration[kMostBodies];
+    acceleration[0] = solve_root(factors.root, root_bias);
+    response.root_turning = acceleration[0].angular;
+    for (int b = 1; b < model.body_count; ++b) {
+        const Body& body = model.bodies[b];
+        Six a = acceleration[body.parent];
+        for (int d = body.first_degree; d < body.first_degree + body.degree_count; ++d) {
+            if (coriolis != nullptr) a += coriolis[d];
+            response.joint[d] = factors.inverse[d] * (drive[d] - dot(factors.push[d], a));
+            a += response.joint[d] * k.axis[d];
+        }
+        acceleration[b] = a;
+    }
+}
+
 }  // namespace
 
 void solve_accelerations(const Model& model, const Kinematics& k, const Loads& loads,
@@ -125,19 +145,7 @@ void solve_accelerations(const Model& model, const Kinematics& k, const Loads& l
         bias[body.parent] += bias[b];
     }
     factorize(inertia[0], factors.root);
-    Six acceleration[kMostBodies];
-    acceleration[0] = solve_root(factors.root, bias[0]);
-    response.root_turning = acceleration[0].angular;
-    for (int b = 1; b < model.body_count; ++b) {
-        const Body& body = model.bodies[b];
-        Six a = acceleration[body.parent];
-        for (int d = body.first_degree; d < body.first_degree + body.degree_count; ++d) {
-            a += k.coriolis[d];
-            response.joint[d] = factors.inverse[d] * (drive[d] - dot(factors.push[d], a));
-            a += response.joint[d] * k.axis[d];
-        }
-        acceleration[b] = a;
-    }
+    pass_outwards(model, k, factors, drive, bias[0], k.coriolis, response);
 }
 
 void respond(const Model& model, const Kinematics& k, const Factors& factors, const double* efforts,
@@ -152,18 +160,7 @@ void respond(const Model& model, const Kinematics& k, const Factors& factors, co
         }
         bias[body.parent] += bias[b];
     }
-    Six acceleration[kMostBodies];
-    acceleration[0] = solve_root(factors.root, bias[0]);
-    response.root_turning = acceleration[0].angular;
-    for (int b = 1; b < model.body_count; ++b) {
-        const Body& body = model.bodies[b];
-        Six a = acceleration[body.parent];
-        for (int d = body.first_degree; d < body.first_degree + body.degree_count; ++d) {
-            response.joint[d] = factors.inverse[d] * (drive[d] - dot(factors.push[d], a));
-            a += response.joint[d] * k.axis[d];
-        }
-        acceleration[b] = a;
-    }
+    pass_outwards(model, k, factors, drive, bias[0], nullptr, response);
 }
 
 }  // namespace cambrian::spatial
