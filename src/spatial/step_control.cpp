@@ -1,6 +1,7 @@
 #include "spatial/step_control.h"
 
 #include "core/assert.h"
+#include "dynamics/stepping/step_policy.h"
 #include "world/environment.h"
 
 #include <algorithm>
@@ -10,35 +11,7 @@
 namespace cambrian::spatial {
 namespace {
 
-// As in the plane (dynamics/README.md 15).
-constexpr double kMaxStep = 1.0 / 60;          // s
-constexpr double kUnderflowShare = 1.0 / 32;   // of the contact step
-constexpr double kUnderflowStep = 1.0 / 1920;  // s, at the usual tolerance
-constexpr double kUsualTolerance = 4e-3;
-constexpr double kNoRowsShare = 1.0 / 16;    // of the contact step
-constexpr int kMaxUnderflows = 4;            // in a row before a step without rows
-constexpr double kBudgetTime = 1.0;          // s
-constexpr double kHalvingStep = 1.0 / 960;   // s; shorter ones are not halved
-constexpr double kMaxOverrun = 0.03;         // rad or m past a stop
-constexpr double kOverrunGrowth = 0.01;      // of that in one step
-constexpr double kStepWorkAllowance = 5e-4;  // J per (kg m/s^2)
-constexpr double kStepGainAllowance = 3e-4;  // J per (kg m/s^2)
-constexpr double kGainlessError = 0.05;
-constexpr double kMinStep = 1e-6;  // s
-constexpr double kSliver = 1e-9;   // s; what may be left of a tick
-constexpr double kSafety = 0.9;
-constexpr double kShrinkMost = 0.2;
-constexpr double kGrowMost = 3.0;
-constexpr double kTinyError = 1e-3;
-constexpr double kMaxDistance = 1e6;   // m or rad
-constexpr double kMaxSpeed = 1e4;      // m/s and rad/s
-constexpr double kScaleHeight = 0.01;  // m
-
-double step_factor(double error, int order) {
-    if (!std::isfinite(error)) return kShrinkMost;
-    if (error < kTinyError) return kGrowMost;
-    return std::clamp(kSafety * inverse_root(error, order), kShrinkMost, kGrowMost);
-}
+constexpr double kMaxStep = 1.0 / 60;  // s
 
 bool is_sound(const Model& model, const State& state) {
     const Motion& motion = state.motion;
@@ -47,12 +20,13 @@ bool is_sound(const Model& model, const State& state) {
         return fits(v.x(), most) && fits(v.y(), most) && fits(v.z(), most);
     };
     for (int d = 0; d < model.degree_count; ++d) {
-        if (!fits(motion.position[d], kMaxDistance) || !fits(motion.speed[d], kMaxSpeed))
+        if (!fits(motion.position[d], step_policy::kMaxDistance) ||
+            !fits(motion.speed[d], step_policy::kMaxSpeed))
             return false;
     }
-    return fit(coordinate_vector(motion.position + model.place()), kMaxDistance) &&
-           fit(coordinate_vector(motion.speed + model.place()), kMaxSpeed) &&
-           fit(state.evaluation->kinematics.spin[0], kMaxSpeed) &&
+    return fit(coordinate_vector(motion.position + model.place()), step_policy::kMaxDistance) &&
+           fit(coordinate_vector(motion.speed + model.place()), step_policy::kMaxSpeed) &&
+           fit(state.evaluation->kinematics.spin[0], step_policy::kMaxSpeed) &&
            std::isfinite(motion.root.w() + motion.root.x() + motion.root.y() + motion.root.z());
 }
 
@@ -87,7 +61,7 @@ void update_audit(const Model& model, const Medium& medium, State& state) {
         mechanical_energy(model, medium, state.motion, state.evaluation->kinematics) -
         state.energy_reference - explained;
     const double gravity = std::sqrt(dot(medium.gravity, medium.gravity));
-    audit.energy_scale = audit.gross_motor_work + model.mass * gravity * kScaleHeight;
+    audit.energy_scale = audit.gross_motor_work + model.mass * gravity * step_policy::kScaleHeight;
 }
 
 }  // namespace
@@ -106,8 +80,9 @@ StepControl::StepControl(const Integrator& integrator, const SceneSettings& sett
       tolerance_(settings.tolerance),
       contact_step_(settings.contact_step),
       underflow_step_(std::min(
-          kUnderflowShare * contact_step_,
-          kUnderflowStep * inverse_root(kUsualTolerance / tolerance_, MidpointStep::kErrorOrder))),
+          step_policy::kUnderflowShare * contact_step_,
+          step_policy::kUnderflowStep *
+              inverse_root(step_policy::kUsualTolerance / tolerance_, MidpointStep::kErrorOrder))),
       max_evaluations_(settings.max_evaluations) {}
 
 void StepControl::advance(const Model& model, Forcing& forcing, double duration, State& state) {
@@ -122,7 +97,7 @@ void StepControl::advance(const Model& model, Forcing& forcing, double duration,
         if (model.measured[p]) velocity[p] = part_velocity(model, state, p);
     }
     state.status = SceneStatus::kRunning;
-    while (tick.length - tick.time > kSliver && state.status == SceneStatus::kRunning)
+    while (tick.length - tick.time > step_policy::kSliver && state.status == SceneStatus::kRunning)
         state.status = step(tick);
     tick.time = tick.length;
     if (state.status == SceneStatus::kRunning) {
@@ -136,11 +111,7 @@ void StepControl::advance(const Model& model, Forcing& forcing, double duration,
         state.is_current = false;
         tick.time = 0.0;
         make_current(tick);
-        state.audit.evaluations = spent.evaluations;
-        state.audit.steps = spent.steps;
-        state.audit.rejections = spent.rejections;
-        state.audit.events = spent.events;
-        state.audit.fallbacks = spent.fallbacks;
+        step_policy::keep_counts(spent, state.audit);
         update_audit(model, forcing.medium, state);
         return;
     }
@@ -194,9 +165,9 @@ double StepControl::choose_length(Tick& tick, bool& has_rows) {
     double h = std::min(tick.state.proposed_step, kMaxStep);
     has_rows = limits_.select(tick.model, tick.state.motion, h);
     if (has_rows) h = std::min(h, contact_step_);
-    if (tick.underflows >= kMaxUnderflows) {
+    if (tick.underflows >= step_policy::kMaxUnderflows) {
         has_rows = false;
-        h = std::min(h, kNoRowsShare * contact_step_);
+        h = std::min(h, step_policy::kNoRowsShare * contact_step_);
     }
     const double rest = tick.length - tick.time;
     const double steps = std::ceil(rest / h * (has_rows ? 0.9 : 1.0 - 1e-9));
@@ -210,12 +181,13 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
     for (;;) {
         try_step(tick, has_rows, h);
         count_evaluations(tick, result_.evaluations);
-        if (state.evaluation_debt > kBudgetTime * max_evaluations_) return Attempt::kOverBudget;
+        if (state.evaluation_debt > step_policy::kBudgetTime * max_evaluations_)
+            return Attempt::kOverBudget;
         if (!(result_.error <= 1.0)) {
             ++state.audit.rejections;
-            h *= std::min(step_factor(result_.error, order), 0.9);
+            h *= std::min(step_policy::step_factor(result_.error, order), 0.9);
             state.proposed_step = h;
-            if (h < kMinStep)
+            if (h < step_policy::kMinStep)
                 return std::isfinite(result_.error) ? Attempt::kOverBudget : Attempt::kDiverged;
             if (!has_rows || h >= underflow_step_) continue;
             ++tick.underflows;
@@ -282,14 +254,15 @@ bool StepControl::must_halve(const Tick& tick, double h) {
         limit_work_ += work;
         positive_work_ += std::max(0.0, work);
     }
-    if (h <= kHalvingStep) return false;
+    if (h <= step_policy::kHalvingStep) return false;
     const double weight = tick.model.mass * kEarthGravity;
-    if (positive_work_ > kStepWorkAllowance * weight) return true;
-    if (result_.error > kGainlessError && unexplained_gain(tick) > kStepGainAllowance * weight)
+    if (positive_work_ > step_policy::kStepWorkAllowance * weight) return true;
+    if (result_.error > step_policy::kGainlessError &&
+        unexplained_gain(tick) > step_policy::kStepGainAllowance * weight)
         return true;
     const double overrun = limit_overrun(tick.model, result_.end);
-    return overrun > kMaxOverrun &&
-           overrun > limit_overrun(tick.model, tick.state.motion) + kOverrunGrowth;
+    return overrun > step_policy::kMaxOverrun &&
+           overrun > limit_overrun(tick.model, tick.state.motion) + step_policy::kOverrunGrowth;
 }
 
 // Returns the energy that the attempted step adds without work, in J.
@@ -310,7 +283,7 @@ void StepControl::propose_length(double h, int order, double& proposed) const {
         proposed = kMaxStep;
         return;
     }
-    const double grown = h * step_factor(result_.error, order);
+    const double grown = h * step_policy::step_factor(result_.error, order);
     proposed = std::min(truncated ? std::max(proposed, grown) : grown, kMaxStep);
 }
 

@@ -3,18 +3,13 @@
 #include "core/assert.h"
 #include "dynamics/model/kinematics.h"
 #include "dynamics/model/stretching.h"
+#include "dynamics/stepping/step_policy.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
 namespace cambrian {
-namespace {
-
-constexpr double kScaleHeight = 0.01;  // m
-
-}  // namespace
-
 double mechanical_energy(const PlanarModel& model, const Medium& medium, const Motion& motion,
                          double kinetic) {
     double energy = kinetic;
@@ -82,7 +77,8 @@ void update_audit(const PlanarModel& model, const Medium& medium, SimulationStat
     const double gravity =
         std::sqrt(medium.gravity_x * medium.gravity_x + medium.gravity_y * medium.gravity_y);
     CAMBRIAN_TICK_ASSERT(!(audit.positive_work < 0.0), "what was given is not negative");
-    audit.energy_scale = audit.gross_motor_work + model.total_mass * gravity * kScaleHeight;
+    audit.energy_scale =
+        audit.gross_motor_work + model.total_mass * gravity * step_policy::kScaleHeight;
 }
 
 void start_audit(const PlanarModel& model, const Medium& medium, SimulationState& state) {

@@ -3,6 +3,7 @@
 #include "dynamics/constraints/invariants.h"
 #include "dynamics/evaluation/cache_numbers.h"
 #include "dynamics/stepping/audit.h"
+#include "dynamics/stepping/step_policy.h"
 #include "dynamics/stepping/time_of_impact.h"
 #include "math/elementary.h"
 #include "world/environment.h"
@@ -16,41 +17,11 @@
 namespace cambrian {
 namespace {
 
-constexpr double kUnderflowShare = 1.0 / 32;  // of the contact step
-// Upper bound of the underflow step at the default tolerance.
-constexpr double kUnderflowStep = 1.0 / 1920;  // s
-constexpr double kUsualTolerance = 4e-3;
-constexpr double kNoRowsShare = 1.0 / 16;  // of the contact step
-constexpr int kMaxUnderflows = 4;          // underflows in a row before a step without rows
-constexpr double kBudgetTime =
-    1.0;  // s; evaluations of so much simulated time may be spent in advance
-constexpr double kHalvingStep = 1.0 / 960;   // s; shorter ones are not halved
-constexpr double kMaxDeepening = 4e-3;       // m; of the deepest contact in one step
-constexpr double kMaxTickDeepening = 8e-3;   // m; in one tick
-constexpr double kMaxOverrun = 0.03;         // rad or m past a stop
-constexpr double kOverrunGrowth = 0.01;      // of that in one step
-constexpr double kStepWorkAllowance = 5e-4;  // J per (kg m/s^2)
-constexpr double kStepGainAllowance = 3e-4;  // J per (kg m/s^2)
-constexpr double kGainlessError = 0.05;      // of the allowed one; smaller ones add no energy
-constexpr double kScaleSpin = 1e-3;          // rad/s; for the audit of what hardly moves
-constexpr double kMinStep = 1e-6;            // s
-constexpr double kSliver = 1e-9;             // s; what may be left of a tick
-constexpr int kMaxImpacts = 8;               // per tick; later impacts are treated as slow contacts
+constexpr double kMaxDeepening = 4e-3;      // m; of the deepest contact in one step
+constexpr double kMaxTickDeepening = 8e-3;  // m; in one tick
+constexpr double kScaleSpin = 1e-3;         // rad/s; for the audit of what hardly moves
+constexpr int kMaxImpacts = 8;              // per tick; later impacts are treated as slow contacts
 constexpr int kMostStops = 64;  // per tick; fewer impacts stop boxes that would pass each other
-constexpr double kSafety = 0.9;
-constexpr double kShrinkMost = 0.2;
-constexpr double kGrowMost = 3.0;
-constexpr double kTinyError = 1e-3;   // of the allowed one; grows the step most, whatever the order
-constexpr double kMaxDistance = 1e6;  // m; also rad, where sine_cosine_reduced ends
-constexpr double kMaxSpeed = 1e4;     // m/s and rad/s
-
-// Returns the factor of the step that would make the error just acceptable, within bounds.
-double step_factor(double error, int order) {
-    if (!std::isfinite(error)) return kShrinkMost;
-    if (error < kTinyError) return kGrowMost;
-    const double factor = kSafety * inverse_root(error, order);
-    return std::clamp(factor, kShrinkMost, kGrowMost);
-}
 
 void note_touch(const Contact& contact, SimulationState& state) {
     state.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
@@ -118,8 +89,10 @@ StepControl::StepControl(const IntegratorKind& integrator, const SceneSettings& 
       tolerance_(settings.tolerance),
       contact_step_(settings.contact_step),
       max_evaluations_(settings.max_evaluations) {
-    const double share = inverse_root(kUsualTolerance / tolerance_, MidpointStep::kErrorOrder);
-    underflow_step_ = std::min(kUnderflowShare * contact_step_, kUnderflowStep * share);
+    const double share =
+        inverse_root(step_policy::kUsualTolerance / tolerance_, MidpointStep::kErrorOrder);
+    underflow_step_ =
+        std::min(step_policy::kUnderflowShare * contact_step_, step_policy::kUnderflowStep * share);
     CAMBRIAN_TICK_ASSERT(tolerance_ > 0.0 && contact_step_ > 0.0 && max_evaluations_ > 0.0,
                          "settings that were checked");
     CAMBRIAN_TICK_ASSERT(underflow_step_ > 0.0, "a step to give up at");
@@ -173,7 +146,7 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
     Motion start;
     copy_motion(model, state.motion, start);
     const SceneAudit audit_before = state.audit;
-    while (tick.length - tick.time > kSliver) {
+    while (tick.length - tick.time > step_policy::kSliver) {
         state.status = step(tick);
         if (state.status != SceneStatus::kRunning) return roll_back(tick, start, audit_before);
     }
@@ -201,11 +174,7 @@ void StepControl::roll_back(Tick& tick, const Motion& start, const SceneAudit& a
     state.known_spins = 0;
     tick.time = 0.0;
     make_current(tick);
-    state.audit.evaluations = spent.evaluations;
-    state.audit.steps = spent.steps;
-    state.audit.rejections = spent.rejections;
-    state.audit.events = spent.events;
-    state.audit.fallbacks = spent.fallbacks;
+    step_policy::keep_counts(spent, state.audit);
     update_audit(tick.model, tick.forcing.medium, state);
 }
 
@@ -285,7 +254,8 @@ void StepControl::reject_end(Tick& tick, double h) {
 
 // Whether the deepest contact at the attempt's end is much deeper than at its start or the tick's.
 bool StepControl::is_too_deep(const Tick& tick, double start_depth, double h) const {
-    if (h <= kHalvingStep || tick.underflows >= kMaxUnderflows) return false;
+    if (h <= step_policy::kHalvingStep || tick.underflows >= step_policy::kMaxUnderflows)
+        return false;
     const double depth = deepest(contacts_.near());
     return depth > start_depth + kMaxDeepening || depth > tick.start_depth + kMaxTickDeepening;
 }
@@ -343,9 +313,9 @@ double StepControl::choose_length(Tick& tick, bool& has_rows) {
     double h = std::min(state.proposed_step, integrator_->max_step);
     has_rows = contacts_.select_active(tick.model, state.cache(), h);
     if (has_rows) h = std::min(h, contact_step_);
-    if (tick.underflows >= kMaxUnderflows) {
+    if (tick.underflows >= step_policy::kMaxUnderflows) {
         has_rows = false;
-        h = std::min(h, kNoRowsShare * contact_step_);
+        h = std::min(h, step_policy::kNoRowsShare * contact_step_);
     }
     const double rest = tick.length - tick.time;
     const double steps = std::ceil(rest / h * (has_rows ? 0.9 : 1.0 - 1e-9));
@@ -371,13 +341,14 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
         else
             try_step(tick, has_rows, h);
         count_evaluations(tick, result_.evaluations);
-        if (state.evaluation_debt > kBudgetTime * max_evaluations_) return Attempt::kOverBudget;
+        if (state.evaluation_debt > step_policy::kBudgetTime * max_evaluations_)
+            return Attempt::kOverBudget;
         if (!(result_.error <= 1.0)) {
             ++state.audit.rejections;
-            const double factor = step_factor(result_.error, order);
+            const double factor = step_policy::step_factor(result_.error, order);
             h *= std::min(factor, 0.9);
             state.proposed_step = h;
-            if (h < kMinStep) {
+            if (h < step_policy::kMinStep) {
                 return std::isfinite(result_.error) ? Attempt::kOverBudget : Attempt::kDiverged;
             }
             if (!has_rows || h >= underflow_step_) continue;
@@ -404,7 +375,7 @@ void StepControl::propose_length(double h, int order, double& proposed) const {
         proposed = longest;
         return;
     }
-    const double grown = h * step_factor(result_.error, order);
+    const double grown = h * step_policy::step_factor(result_.error, order);
     proposed = std::min(truncated ? std::max(proposed, grown) : grown, longest);
 }
 
@@ -466,13 +437,15 @@ void StepControl::check_step_end(const Tick& tick) {
 // is too long for its motion.
 bool StepControl::must_halve(const Tick& tick, double h) {
     check_step_end(tick);
-    if (h <= kHalvingStep) return false;
+    if (h <= step_policy::kHalvingStep) return false;
     const double weight = tick.model.total_mass * kEarthGravity;
-    if (work_.positive > kStepWorkAllowance * weight) return true;
-    if (result_.error > kGainlessError && unexplained_gain(tick) > kStepGainAllowance * weight)
+    if (work_.positive > step_policy::kStepWorkAllowance * weight) return true;
+    if (result_.error > step_policy::kGainlessError &&
+        unexplained_gain(tick) > step_policy::kStepGainAllowance * weight)
         return true;
-    return end_overrun_ > kMaxOverrun &&
-           end_overrun_ > limit_overrun(tick.model, tick.state.cache().kinematics) + kOverrunGrowth;
+    return end_overrun_ > step_policy::kMaxOverrun &&
+           end_overrun_ > limit_overrun(tick.model, tick.state.cache().kinematics) +
+                              step_policy::kOverrunGrowth;
 }
 
 // Returns the energy that the attempted step adds without work, in J.
@@ -512,7 +485,7 @@ void StepControl::restore_spins(Tick& tick, double h) {
     SimulationState& state = tick.state;
     const BodySet free = free_trees(tick);
     const BodySet known = std::exchange(state.known_spins, free) & free;
-    const bool is_last = tick.time + h > tick.length - kSliver;
+    const bool is_last = tick.time + h > tick.length - step_policy::kSliver;
     if (!is_last && known == free) return;
     BodySet left = free;
     for (int t = 0; left != 0; ++t) {
@@ -631,8 +604,8 @@ SceneStatus StepControl::status_of(const Tick& tick) {
     Simd4i sound = Simd4d{} <= Simd4d{};
     const int slots = coordinate_slots(tick.model);
     for (int c = 0; c < slots; c += kLanes) {
-        sound &= magnitude(load_lanes(motion.position + c)) <= all_lanes(kMaxDistance);
-        sound &= magnitude(load_lanes(motion.speed + c)) <= all_lanes(kMaxSpeed);
+        sound &= magnitude(load_lanes(motion.position + c)) <= all_lanes(step_policy::kMaxDistance);
+        sound &= magnitude(load_lanes(motion.speed + c)) <= all_lanes(step_policy::kMaxSpeed);
     }
     const bool is_sound = (sound[0] & sound[1] & sound[2] & sound[3]) != 0;
     return is_sound ? SceneStatus::kRunning : SceneStatus::kInvalid;
