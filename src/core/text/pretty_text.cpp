@@ -88,4 +88,11 @@ std::string capitalized(std::string text) {
     return text;
 }
 
+std::string uncapitalized(std::string text) {
+    if (!text.empty()) {
+        text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    }
+    return text;
+}
+
 }  // namespace cambrian

@@ -17,5 +17,7 @@ std::string measured(double value, const std::string& unit);
 std::string pretty_time(double seconds);
 // Returns the text with its first letter in upper case.
 std::string capitalized(std::string text);
+// The reverse, as a label is written within a sentence.
+std::string uncapitalized(std::string text);
 
 }  // namespace cambrian

@@ -1,10 +1,11 @@
 #include "evolution/fields/setting_words.h"
 
+#include "core/text/pretty_text.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace cambrian {
 namespace {
@@ -57,9 +58,7 @@ const SettingWords* setting_words(std::string_view path) {
 std::string plain_label(const SettingField& field) {
     const SettingWords* words = setting_words(path_of(field));
     if (words == nullptr || words->word.empty()) return field.label;
-    std::string term = field.label;
-    term[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(term[0])));
-    return fmt::format("{} ({})", words->word, term);
+    return fmt::format("{} ({})", words->word, uncapitalized(field.label));
 }
 
 std::string plain_help(const SettingField& field) {

@@ -1,5 +1,6 @@
 #include "studio/actions/palette_lines.h"
 
+#include "core/text/search_words.h"
 #include "evolution/fields/setting_words.h"
 #include "studio/actions/action.h"
 #include "studio/experiment/setting_groups.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
 #include <utility>
 
 namespace cambrian {
@@ -18,13 +18,6 @@ namespace {
 constexpr int kMostRank = 5;
 constexpr std::size_t kMostHelpLines = 40;
 constexpr std::size_t kExcerpt = 90;  // bytes
-
-std::string in_small_letters(std::string_view text) {
-    std::string small(text);
-    for (char& letter : small)
-        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    return small;
-}
 
 bool begins_word(const std::string& text, std::size_t at) {
     return at == 0 || std::isalnum(static_cast<unsigned char>(text[at - 1])) == 0;
@@ -47,21 +40,13 @@ std::optional<std::size_t> find_in_order(const std::vector<std::string>& words,
     return first;
 }
 
-std::vector<std::string> sought_words(std::string_view text) {
-    std::istringstream stream{in_small_letters(text)};
-    std::vector<std::string> words;
-    for (std::string word; stream >> word;)
-        words.push_back(word);
-    return words;
-}
-
 std::vector<std::string> as_phrase(const std::vector<std::string>& words) {
     return {fmt::format("{}", fmt::join(words, " "))};
 }
 
 // Returns the part of a text around where the words are, in one line.
 std::string excerpt(const std::string& text, const std::vector<std::string>& words) {
-    const std::string small = in_small_letters(text);
+    const std::string small = small_letters(text);
     std::size_t at = 0;
     for (const auto& [sought, at_beginnings] :
          {std::pair{words, false}, std::pair{words, true}, std::pair{as_phrase(words), true}})
@@ -121,7 +106,7 @@ void add_settings(std::string_view words, const FrameContext& frame, std::vector
 // Adds the first place that matches below each heading.
 void add_help(std::string_view words, const std::vector<HelpPlace>& help,
               std::vector<Ranked>& lines) {
-    const std::vector<std::string> sought = sought_words(words);
+    const std::vector<std::string> sought = search_words(words);
     const HelpPlace* before = nullptr;
     std::size_t count = 0;
     for (const HelpPlace& place : help) {
@@ -149,12 +134,12 @@ void add_help(std::string_view words, const std::vector<HelpPlace>& help,
 
 std::optional<int> match_rank(std::string_view words, std::string_view title,
                               std::string_view text) {
-    const std::vector<std::string> sought = sought_words(words);
+    const std::vector<std::string> sought = search_words(words);
     if (sought.empty()) return 0;
-    const std::string small = in_small_letters(title);
+    const std::string small = small_letters(std::string(title));
     if (const auto at = find_in_order(sought, small, true)) return *at == 0 ? 0 : 1;
     if (find_in_order(sought, small, false)) return 2;
-    const std::string all = in_small_letters(text);
+    const std::string all = small_letters(std::string(text));
     if (find_in_order(as_phrase(sought), all, true)) return 3;
     if (find_in_order(sought, all, true)) return 4;
     if (find_in_order(sought, all, false)) return 5;
@@ -165,7 +150,7 @@ std::vector<PaletteLine> palette_lines(std::string_view words, const FrameContex
                                        const std::vector<HelpPlace>& help) {
     std::vector<Ranked> ranked;
     add_actions(words, frame, ranked);
-    if (!sought_words(words).empty()) {
+    if (!search_words(words).empty()) {
         add_settings(words, frame, ranked);
         add_help(words, help, ranked);
     }

@@ -1,5 +1,6 @@
 #include "studio/panels/opening/founders_panel.h"
 
+#include "core/text/pretty_text.h"
 #include "genome/creature_name.h"
 #include "pictures/scene/follow_camera.h"
 #include "pictures/scene/living_look.h"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
 namespace cambrian {
@@ -48,12 +48,6 @@ void add_row_blades(SceneFrame& scene, const DrawnWorld& world, const WorldWindo
         scene.add_line({x, top - pixel}, {x + 0.5 * (draw(4) - 0.5) * tall, top + tall},
                        1.6 * pixel, color);
     }
-}
-
-// Returns a label as it is written within a sentence.
-std::string lower_case(std::string label) {
-    if (!label.empty()) label[0] = static_cast<char>(std::tolower(label[0]));
-    return label;
 }
 
 std::vector<Scuff> moved_scuffs(const RecordedMotion& motion, double time, const Vec2& by) {
@@ -246,7 +240,7 @@ void FoundersPanel::draw_choice(const FrameContext& frame) const {
 void FoundersPanel::draw_words(const FrameContext& frame) const {
     const FounderCrowd& crowd = *frame.coach.founders;
     const GoalKind* goal = frame.kinds.goals.find(crowd.settings()->goal);
-    const std::string aim = goal == nullptr ? std::string("it") : lower_case(goal->label);
+    const std::string aim = goal == nullptr ? std::string("it") : uncapitalized(goal->label);
     const bool running = frame.experiment.snapshot.status == EngineStatus::kRunning;
     const std::string title =
         fmt::format("{} random creatures", kNumbers.at(crowd.founders().size()));
