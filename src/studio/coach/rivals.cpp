@@ -1,28 +1,16 @@
 #include "studio/coach/rivals.h"
 
 #include "core/sample_statistics.h"
-#include "core/text/code_points.h"
-#include "core/text/pretty_text.h"
 #include "evolution/evaluation/trials.h"
-#include "persist/creature/creature_card.h"
-#include "persist/creature/creature_file.h"
 #include "pictures/motion/recorded_motion.h"
+#include "studio/files/sample_library.h"
 
 #include <algorithm>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 namespace cambrian {
 namespace {
-
-std::string rival_name(const std::filesystem::path& path, const Genome& genome) {
-    if (!genome.name.empty()) return on_one_line(genome.name);
-    const std::string file = path.filename().string();
-    std::string name = capitalized(file.substr(0, file.size() - kCreatureEnding.size()));
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
-}
 
 // Returns the score as a generation's survivors have theirs; nothing if the trial fails.
 std::optional<double> score_under(const ExperimentSettings& settings, const GenomePtr& genome,
@@ -45,23 +33,21 @@ double travel_of(const ExperimentSettings& settings, const Genome& genome, const
            trial->record.samples.front().center_of_mass.x();
 }
 
-std::optional<JudgedRival> judged_rival(const std::filesystem::path& path,
-                                        const ExperimentSettings& settings,
+std::optional<JudgedRival> judged_rival(const Sample& sample, const ExperimentSettings& settings,
                                         const EvolutionKinds& kinds, const std::stop_token& stop) {
-    const auto document = load_creature(path, kinds);
-    if (!document || !document->scored()) return std::nullopt;
-    const ExperimentSettings& its = document->settings();
+    JudgedIndividual creature = sample.creature;
+    if (sample.phenotype == nullptr || !creature.individual->evaluated) return std::nullopt;
+    const ExperimentSettings& its = *creature.settings;
     if (its.goal != settings.goal || !(its.world.environment == settings.world.environment))
         return std::nullopt;
     ExperimentSettings here = settings;
     here.expression = its.expression;
-    const GenomePtr& genome = document->creature.individual->genome;
+    const GenomePtr& genome = creature.individual->genome;
     const std::optional<double> score = score_under(here, genome, kinds, stop);
     if (!score || *score <= 0.0) return std::nullopt;  // it would be beaten by standing still
     const double travel = travel_of(here, *genome, kinds.creature);
-    JudgedIndividual creature = document->creature;
     creature.settings = std::make_shared<const ExperimentSettings>(std::move(here));
-    return JudgedRival{rival_name(path, *genome), std::move(creature), *score, travel};
+    return JudgedRival{sample.title, std::move(creature), *score, travel};
 }
 
 }  // namespace
@@ -69,18 +55,10 @@ std::optional<JudgedRival> judged_rival(const std::filesystem::path& path,
 std::vector<JudgedRival> judge_rivals(const std::filesystem::path& folder,
                                       const ExperimentSettings& settings,
                                       const EvolutionKinds& kinds, const std::stop_token& stop) {
-    std::vector<std::filesystem::path> paths;
-    std::error_code error;
-    auto entry = std::filesystem::directory_iterator(folder, error);
-    for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-        if (entry->path().filename().string().ends_with(kCreatureEnding))
-            paths.push_back(entry->path());
-    }
-    std::sort(paths.begin(), paths.end());
     std::vector<JudgedRival> rivals;
-    for (const std::filesystem::path& path : paths) {
+    for (const Sample& sample : read_samples(folder, kinds)) {
         if (stop.stop_requested()) return {};
-        if (auto rival = judged_rival(path, settings, kinds, stop))
+        if (auto rival = judged_rival(sample, settings, kinds, stop))
             rivals.push_back(std::move(*rival));
     }
     if (stop.stop_requested()) return {};
