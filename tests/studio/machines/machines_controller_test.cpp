@@ -42,13 +42,23 @@ std::vector<std::uint64_t> champions_of(const StudioRun& run) {
     return digests;
 }
 
+// Lets no champion be confirmed, which would go on after a generation is finished.
+void confirm_nothing(StudioRun& run) {
+    ExperimentSettings settings = test::small_experiment();
+    settings.selection.confirmations = 0;
+    run.ask(EditSettings{settings, "selection.confirmations"});
+    run.ask(FinishEdit{});
+}
+
 TEST_CASE("a cluster is joined and left during a run without a change of its champions",
           "[studio][machines][threads]") {
     StudioRun alone;
+    confirm_nothing(alone);
     finish_generations(alone, 6);
 
     const Lab lab;
     StudioRun run(lab.options());
+    confirm_nothing(run);
     finish_generations(run, 2);
     CHECK(lab.cluster->batches == 0);
     run.ask(JoinCluster{kLab});
