@@ -1,6 +1,6 @@
 #include "app/builtin_kinds.h"
 
-#include "dynamics/planar_scene.h"
+#include "planar/planar_scene.h"
 #include "spatial/spatial_scene.h"
 
 namespace cambrian {

@@ -1,5 +1,5 @@
 // A muscle of the part itself: it lengthens and narrows the part, or shortens and widens it,
-// without changing its area (dynamics/README.md 20). Its motor follows the signal as that of a
+// without changing its area (planar/README.md 20). Its motor follows the signal as that of a
 // joint does.
 
 #include "organs/kinds.h"

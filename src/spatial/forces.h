@@ -39,12 +39,12 @@ struct MotorPower {
 };
 
 // Sets the efforts of all motors at a share of the tick, by the law of the plane
-// (dynamics/README.md 6) for every degree.
+// (planar/README.md 6) for every degree.
 MotorPower drive_joints(const Model& model, const Drive& drive, double share, const Motion& motion,
                         Loads& loads);
 
 // Sets efforts and damping for a stage in the middle of a step, in which a motor responds to the
-// rate that the stage itself gives its joint (dynamics/README.md 13). `time` is that since the
+// rate that the stage itself gives its joint (planar/README.md 13). `time` is that since the
 // step's start; `motion` is a prediction.
 void drive_joints_implicitly(const Model& model, const Drive& drive, double share,
                              const Motion& start, const Motion& motion, double time, Loads& loads);

@@ -1,7 +1,7 @@
 #pragma once
 
 // Stops of the joints as rows: rates u+ = u- + W p with impulses p >= 0, u+ >= 0 and p u+ = 0
-// (dynamics/README.md 9 to 12). Without friction W is positive definite, so there is always one
+// (planar/README.md 9 to 12). Without friction W is positive definite, so there is always one
 // solution.
 
 #include "spatial/evaluation.h"

@@ -1,7 +1,7 @@
 #include "spatial/step_control.h"
 
 #include "core/assert.h"
-#include "dynamics/stepping/step_policy.h"
+#include "dynamics/step_policy.h"
 #include "world/environment.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 // The time loop of one tick: stops, attempts of steps, acceptance, energy audit
-// (dynamics/README.md 15, 16).
+// (planar/README.md 15, 16).
 
 #include "spatial/steps.h"
 #include "world/physics_scene.h"

@@ -1,7 +1,7 @@
 #include "spatial/steps.h"
 
 #include "core/assert.h"
-#include "dynamics/integrators/tableaus.h"
+#include "dynamics/tableaus.h"
 
 #include <cmath>
 

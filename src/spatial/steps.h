@@ -1,7 +1,7 @@
 #pragma once
 
 // Attempts at one step: an embedded pair of Runge-Kutta formulas, or the midpoint step under the
-// forces of stops (dynamics/README.md 13).
+// forces of stops (planar/README.md 13).
 
 #include "spatial/limits.h"
 

@@ -7,8 +7,8 @@
 #include "bench/motor_law.h"
 #include "bench/pair_filter.h"
 #include "core/assert.h"
-#include "dynamics/model_building.h"
 #include "math/angle.h"
+#include "planar/model_building.h"
 #include "support/body_plans.h"
 
 #include <algorithm>

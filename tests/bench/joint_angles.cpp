@@ -1,7 +1,7 @@
 #include "bench/joint_angles.h"
 
 #include "bench/planar_runs.h"
-#include "dynamics/planar_scene.h"
+#include "planar/planar_scene.h"
 
 #include <cmath>
 

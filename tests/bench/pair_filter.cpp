@@ -1,7 +1,7 @@
 #include "bench/pair_filter.h"
 
 #include "core/assert.h"
-#include "dynamics/model_building.h"
+#include "planar/model_building.h"
 
 namespace cambrian::bench {
 

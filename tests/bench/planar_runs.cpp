@@ -1,7 +1,7 @@
 #include "bench/planar_runs.h"
 
 #include "core/assert.h"
-#include "dynamics/planar_scene.h"
+#include "planar/planar_scene.h"
 #include "support/body_plans.h"
 
 namespace cambrian::bench {

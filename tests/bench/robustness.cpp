@@ -4,9 +4,9 @@
 #include "bench/write_table.h"
 #include "core/assert.h"
 #include "core/threads/thread_pool.h"
-#include "dynamics/integrators/builtin_integrators.h"
-#include "dynamics/planar_scene.h"
 #include "math/elementary.h"
+#include "planar/integrators/builtin_integrators.h"
+#include "planar/planar_scene.h"
 #include "simulator/audit.h"
 #include "support/body_plans.h"
 

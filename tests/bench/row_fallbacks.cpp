@@ -3,7 +3,7 @@
 
 #include "bench/bench_creature.h"
 #include "core/threads/thread_pool.h"
-#include "dynamics/rig.h"
+#include "planar/rig.h"
 #include "support/workload.h"
 
 #include <CLI/CLI.hpp>

@@ -2,7 +2,7 @@
 
 #include "creature/builders.h"
 #include "creature/creature.h"
-#include "dynamics/planar_scene.h"
+#include "planar/planar_scene.h"
 #include "support/catch.h"
 
 #include <algorithm>

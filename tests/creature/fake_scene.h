@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/joints/builtin_joints.h"
+#include "planar/joints/builtin_joints.h"
 #include "world/physics_scene.h"
 #include "world/scene_kind.h"
 

@@ -1,6 +1,6 @@
-#include "dynamics/bodies.h"
 #include "golden/audit.h"
 #include "golden/golden.h"
+#include "planar/bodies.h"
 #include "support/workload.h"
 
 namespace cambrian::golden {

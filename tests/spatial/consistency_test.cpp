@@ -1,4 +1,4 @@
-#include "dynamics/planar_scene.h"
+#include "planar/planar_scene.h"
 #include "spatial/algebra.h"
 #include "spatial/bodies.h"
 #include "support/body_plans.h"
