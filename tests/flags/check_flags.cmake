@@ -6,7 +6,7 @@ cmake_minimum_required(VERSION 3.25)
 function(configure flags)
   file(REMOVE_RECURSE ${WORK}/build)
   execute_process(
-    COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -DCMAKE_BUILD_TYPE=Release
+    COMMAND ${CMAKE_COMMAND} -G "${GENERATOR}" -S ${SOURCE} -B ${WORK}/build -DCMAKE_BUILD_TYPE=Release
       -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${flags} ${ARGN}
     RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
   set(status ${status} PARENT_SCOPE)
