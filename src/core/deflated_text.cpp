@@ -3,17 +3,12 @@
 #include <libdeflate.h>
 
 namespace cambrian {
-namespace {
-
-constexpr int kLevel = 1;  // three times as fast as zlib at the same size
-
-}  // namespace
 
 void Deflater::Free::operator()(libdeflate_compressor* compressor) const {
     libdeflate_free_compressor(compressor);
 }
 
-Deflater::Deflater() : compressor_(libdeflate_alloc_compressor(kLevel)) {
+Deflater::Deflater(int level) : compressor_(libdeflate_alloc_compressor(level)) {
     CAMBRIAN_ASSERT(compressor_ != nullptr, "out of memory");
 }
 
@@ -38,6 +33,10 @@ Result<std::string> Inflater::inflate(std::string_view bytes, std::size_t size) 
         decompressor_.get(), bytes.data(), bytes.size(), text.data(), text.size(), nullptr);
     if (result != LIBDEFLATE_SUCCESS) return Error{"cannot be decompressed"};
     return text;
+}
+
+std::uint32_t crc32_of(std::string_view bytes) {
+    return libdeflate_crc32(0, bytes.data(), bytes.size());
 }
 
 }  // namespace cambrian

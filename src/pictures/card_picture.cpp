@@ -114,34 +114,47 @@ void add_strip(PictureCanvas& canvas, const CardSpace& at, const Subject& subjec
     }
 }
 
-void add_foot(PictureCanvas& canvas, const CardSpace& at, const Subject& subject,
+const char* foot_of(const Subject& subject, bool moving) {
+    if (moving) return "The creature is inside: drop this picture on Cambrian";
+    return subject.environment().dimensions == 3
+               ? "The creature is inside: cambrian render makes a clip of it"
+               : "The creature is inside: open this picture to see it move";
+}
+
+void add_foot(PictureCanvas& canvas, const CardSpace& at, const char* words,
               const Palette& palette) {
     const Ink strong{Typeface::kStrong, 21.0 * at.unit, palette.muted};
     const Ink small{Typeface::kRegular, 21.0 * at.unit, palette.muted};
     canvas.add_text(at.x(kCardMargin), at.y(1242), "Cambrian", strong);
-    canvas.add_text(at.x(kCardWidth - kCardMargin), at.y(1242),
-                    subject.environment().dimensions == 3
-                        ? "The creature is inside: cambrian render makes a clip of it"
-                        : "The creature is inside: open this picture to see it move",
-                    small, Align::kRight);
+    canvas.add_text(at.x(kCardWidth - kCardMargin), at.y(1242), words, small, Align::kRight);
 }
 
-}  // namespace
-
-void draw_card(PictureCanvas& canvas, const Subject& subject, const Palette& palette) {
+void add_card(PictureCanvas& canvas, const Subject& subject, const Palette& palette,
+              const Moment& moment, const char* foot) {
     const CardSpace at(canvas);
     canvas.clear(palette.window);
     const Area portrait = at.area({kCardMargin, kCardMargin, kCardWidth - 2.0 * kCardMargin, 650});
     MomentStyle style{
         .palette = palette, .label_size = 18.0 * at.unit, .trail = 0, .world = &world_of(subject)};
     style.pixels_per_metre = scale_to_fit(subject.motion(), portrait, kPortraitShare);
-    add_moment(canvas, portrait, subject,
-               moment_of(subject.motion(), telling_time(subject.motion())), style);
+    add_moment(canvas, portrait, subject, moment, style);
     canvas.round_corners(portrait, 18.0 * at.unit, palette.window);
     add_heading(canvas, at, subject, palette);
     add_facts(canvas, at, subject, palette);
     add_strip(canvas, at, subject, palette);
-    add_foot(canvas, at, subject, palette);
+    add_foot(canvas, at, foot, palette);
+}
+
+}  // namespace
+
+void draw_card(PictureCanvas& canvas, const Subject& subject, const Palette& palette) {
+    const double time = telling_time(subject.motion());
+    add_card(canvas, subject, palette, moment_of(subject.motion(), time), foot_of(subject, false));
+}
+
+void draw_moving_card(PictureCanvas& canvas, const Subject& subject, const Palette& palette,
+                      const Moment& moment) {
+    add_card(canvas, subject, palette, moment, foot_of(subject, true));
 }
 
 }  // namespace cambrian

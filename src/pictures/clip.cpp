@@ -1,6 +1,9 @@
 #include "pictures/clip.h"
 
 #include "core/text/pretty_text.h"
+#include "evolution/evaluation/trials.h"
+#include "pictures/card_picture.h"
+#include "pictures/clips/clip_file.h"
 
 #include <fmt/core.h>
 
@@ -15,6 +18,15 @@ constexpr double kClipHeight = 720.0;
 constexpr double kLeastUnit = 0.6;       // least scale of text, below which it could not be read
 constexpr double kClipBodyShare = 0.42;  // share of the picture that the creature fills
 constexpr std::size_t kTrail = 90;       // points of the trail
+
+void draw_frame(PictureCanvas& canvas, const Subject& subject, const ClipOrder& order,
+                const Moment& moment) {
+    if (order.card) {
+        draw_moving_card(canvas, subject, order.palette, moment);
+    } else {
+        draw_clip_frame(canvas, subject, order.palette, moment);
+    }
+}
 
 }  // namespace
 
@@ -45,7 +57,7 @@ void draw_clip_frame(PictureCanvas& canvas, const Subject& subject, const Palett
     canvas.clear(palette.sky);
     add_moment(canvas, whole, subject, moment, style);
     const Ink title{Typeface::kStrong, 28.0 * unit, words.text};
-    const Ink small{Typeface::kRegular, 19.0 * unit, words.muted};
+    const Ink small{Typeface::kRegular, 19.0 * unit, with_alpha(words.text, 0.85F)};
     const double left = 24.0 * unit;
     const double right = canvas.width() - left;
     std::string line = subject.goal;
@@ -54,6 +66,42 @@ void draw_clip_frame(PictureCanvas& canvas, const Subject& subject, const Palett
                     right - left - 120.0 * unit);
     canvas.add_text(left, 72.0 * unit, line, small);
     canvas.add_text(right, 44.0 * unit, fmt::format("{:.1f} s", moment.time), title, Align::kRight);
+}
+
+ColorCensus census_of(const ClipFormat& format, const std::function<Image(int)>& draw) {
+    ColorCensus census;
+    for (int i = 0; format.few_colors && i < kCountedPictures; ++i)
+        census.add(draw(i));
+    return census;
+}
+
+Status write_clip(PictureCanvas& canvas, const Subject& subject, const Kinds& kinds,
+                  const ClipOrder& order, const TrialWatch& watch) {
+    auto motion = ReplayedMotion::start(subject.motion().phenotype, kinds,
+                                        first_trial_world(*subject.creature.settings));
+    if (!motion) return motion.error();
+    const ColorCensus census = census_of(*order.format, [&](int i) {
+        const double time = order.timing.seconds * i / (kCountedPictures - 1);
+        draw_frame(canvas, subject, order, moment_of(subject.motion(), time));
+        return canvas.finish();
+    });
+    auto clip = ClipFile::open(*order.format, {.path = order.path,
+                                               .width = canvas.width(),
+                                               .height = canvas.height(),
+                                               .frames_a_second = order.timing.frames_a_second,
+                                               .frames = clip_frames(order.timing),
+                                               .colors = &census,
+                                               .dithered = order.dithered,
+                                               .creature = order.creature});
+    if (!clip) return clip.error();
+    for (std::uint64_t frame = 0; frame < clip_frames(order.timing); ++frame) {
+        if (watch.stop.stop_requested()) return Error{"interrupted; nothing was written"};
+        const double time = clip_time(order.timing, frame);
+        draw_frame(canvas, subject, order, {time, motion->at(time)});
+        watch.note(time);
+        if (Status added = (*clip)->add(canvas.finish()); !added) return added;
+    }
+    return (*clip)->finish();
 }
 
 }  // namespace cambrian

@@ -1,10 +1,15 @@
 #pragma once
 
 #include "pictures/canvas/picture_canvas.h"
+#include "pictures/clips/clip_format.h"
 #include "pictures/motion/subject.h"
 #include "pictures/scene/moment.h"
+#include "simulator/trial_watch.h"
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
 
 namespace cambrian {
 
@@ -27,5 +32,26 @@ double clip_time(const ClipTiming& timing, std::uint64_t frame);
 // Draws one frame of a clip, with the creature's name, its score and the time.
 void draw_clip_frame(PictureCanvas& canvas, const Subject& subject, const Palette& palette,
                      const Moment& moment);
+
+// What a clip of a creature's trial shall be; its size is that of the canvas it is drawn on.
+struct ClipOrder {
+    const ClipFormat* format = nullptr;  // never null
+    std::filesystem::path path;
+    ClipTiming timing;
+    Palette palette;
+    bool dithered = false;      // for formats with few colours
+    bool card = false;          // a creature card whose portrait moves, rather than the trial alone
+    std::string creature = {};  // the creature file inside, if the format can embed one
+};
+
+// Draws the trial once more and writes it. Notes the time reached, and gives up when asked to stop;
+// nothing is left then.
+Status write_clip(PictureCanvas& canvas, const Subject& subject, const Kinds& kinds,
+                  const ClipOrder& order, const TrialWatch& watch);
+
+// Counts the colours of some pictures of a clip if its format has few colours; `draw` gives the
+// picture of a number from 0 to kCountedPictures - 1.
+inline constexpr int kCountedPictures = 8;
+ColorCensus census_of(const ClipFormat& format, const std::function<Image(int)>& draw);
 
 }  // namespace cambrian

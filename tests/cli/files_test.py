@@ -118,7 +118,7 @@ class Files(ProgramTest):
                 (["rescore", "best.creature.json", "-o", "small.toml"], ".creature.json or .json"),
                 (["settings", "-o", "best.creature.json"], ".toml"),
                 *((command, ending) for command, ending in [
-                    (["render", "best.creature.json", "-o", "small.toml"], ".png, .mp4 or .gif"),
+                    (["render", "best.creature.json", "-o", "small.toml"], ".png, .mp4, .gif or .apng"),
                     (["view", "best.creature.json", "--screenshot", "small.toml"], ".png"),
                     (["view", "best.creature.json", "--frame-log", "small.toml"], ".csv")]
                   if self.possible([command]))]:

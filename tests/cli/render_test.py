@@ -33,8 +33,9 @@ class Render(ProgramTest):
         return tuple(map(int, told.split()))
 
     def clip_facts(self, path):
+        form = ["-f", "apng"] if path.suffix in (".png", ".apng") else []
         told = subprocess.run(
-            ["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
+            ["ffprobe", *form, "-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
              "stream=width,height,nb_read_frames,r_frame_rate", "-of", "json", str(path)],
             check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout
         return json.loads(told)["streams"][0]
@@ -72,6 +73,38 @@ class Render(ProgramTest):
         clip = self.render(WALKER, "slow.gif", "--size", "160x90", "--fps", "10", "--seconds", "1",
                            "--speed", "0.5")
         self.assertEqual(self.clip_facts(clip)["nb_read_frames"], "20")
+
+    def test_a_gif_needs_no_ffmpeg_and_has_a_size_of_its_own(self):
+        (self.folder / "empty").mkdir()
+        self.run_well("render", WALKER, "-o", "a.gif", "--seconds", 3,
+                      env={"PATH": str(self.folder / "empty")})
+        facts = self.clip_facts(self.folder / "a.gif")
+        self.assertEqual((facts["width"], facts["height"]), (640, 360))
+        self.assertEqual(facts["nb_read_frames"], "60")
+        self.assertLess((self.folder / "a.gif").stat().st_size, 1_500_000)
+
+    def test_dithering_and_theme_change_a_gif(self):
+        small = ("--size", "97x65", "--seconds", "0.2")
+        made = [self.render(WALKER, f"{number}.gif", *small, *options).read_bytes()
+                for number, options in enumerate([(), (), ("--dither",), ("--theme", "light")])]
+        self.assertEqual(made[0], made[1])
+        self.assertEqual(len(set(made)), 3)
+
+    def test_a_moving_card_carries_its_creature(self):
+        card = self.render(WALKER, "walker.card.png", "--animated", "--seconds", "1")
+        self.assertEqual(self.clip_facts(card)["nb_read_frames"], "20")
+        self.assertEqual(self.picture_facts(card)[:2], (600, 800))
+        clip = self.render(WALKER, "walker.apng", "--seconds", "0.5", "--size", "160x90",
+                           "--fps", "10")
+        self.assertEqual(self.clip_facts(clip)["nb_read_frames"], "5")
+        known = [self.run_well(*command, WALKER).stdout.replace(str(WALKER), "NAME")
+                 for command in (["verify"], ["simulate", "--json"])]
+        for moving in (card, clip):
+            told = [self.run_well(*command, moving.name).stdout.replace(moving.name, "NAME")
+                    for command in (["verify"], ["simulate", "--json"])]
+            self.assertEqual(told, known)
+        again = self.render(card, "again.card.png", "--animated", "--seconds", "1")
+        self.assertEqual(again.read_bytes(), card.read_bytes())
 
     def test_a_clip_shows_the_complete_trial_unless_told(self):
         champion = self.evolve_champion()  # its trial lasts 2 s
@@ -160,9 +193,13 @@ class Render(ProgramTest):
                                     "expected a creature card")
 
     def test_mistakes_are_told_and_write_nothing(self):
-        self.refuse(WALKER, "-o", "clip.avi", parts=["clip.avi", ".png, .mp4 or .gif"])
+        self.refuse(WALKER, "-o", "clip.avi", parts=["clip.avi", ".png, .mp4, .gif or .apng"])
         self.refuse(WALKER, "-o", "clip.mp4", "--card", parts=["a card is a picture"])
         self.refuse(WALKER, "-o", "a.png", "--fps", "3", parts=["--fps", "are for clips"])
+        self.refuse(WALKER, "-o", "a.png", "--animated", parts=["--animated is for cards"])
+        self.refuse(WALKER, "-o", "a.gif", "--animated", parts=["a card is a picture"])
+        self.refuse(WALKER, "-o", "a.mp4", "--dither", parts=["--dither is for clips of few colors"])
+        self.refuse(WALKER, "-o", "a.card.png", "--dither", parts=["--dither is for clips"])
         self.refuse(WALKER, "-o", "a.mp4", "--poses", "3", parts=["--poses is for sheets"])
         self.refuse(WALKER, "-o", "a.mp4", "--size", "321x180", parts=["even"])
         self.refuse("none.creature.json", "-o", "a.png", parts=["none.creature.json"])
@@ -221,6 +258,27 @@ class Render(ProgramTest):
         delays = [int.from_bytes(gif[at + 4:at + 6], "little") for at in range(len(gif) - 8)
                   if gif[at:at + 3] == b"\x21\xf9\x04" and gif[at + 7] == 0]
         self.assertEqual(set(delays), {2})
+
+    def test_a_full_disk_leaves_no_clip(self):
+        for name in ["a.gif", "a.apng", "a.mp4", "a.card.png"]:
+            disk = self.small_disk("100k", "disk of " + name)
+            options = ("--animated",) if name == "a.card.png" else ()
+            result = self.run_program("render", WALKER, "-o", disk / name, *options)
+            self.assertEqual(result.returncode, FAILED, name)
+            self.assertIn("No space left on device", result.stderr)
+            self.assertEqual(list(disk.iterdir()), [])
+
+    def test_a_killed_clip_is_removed_by_the_next(self):
+        process = self.start("render", WALKER, "-o", "clip.gif", "--speed", 0.05,
+                             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        deadline = time.monotonic() + 120
+        while not self.files() and time.monotonic() < deadline:
+            time.sleep(0.05)
+        process.kill()
+        process.communicate(timeout=120)
+        self.assertFalse((self.folder / "clip.gif").exists())
+        self.render(WALKER, "clip.gif", "--size", "64x64", "--seconds", "0.1")
+        self.assertEqual(self.files(), ["clip.gif"])
 
     def test_an_interrupted_clip_leaves_nothing(self):
         before = self.write("clip.mp4", "the clip before")

@@ -24,7 +24,7 @@ inline const OutputForm kCreature{"a creature", {".creature.json", ".json"}};
 inline const OutputForm kTable{"a table", {".csv"}};
 inline const OutputForm kSettings{"a settings file", {".toml"}};
 inline const OutputForm kPicture{"a picture", {".png"}};
-inline const OutputForm kDrawing{"a picture or a clip", {".png", ".mp4", ".gif"}};
+inline const OutputForm kDrawing{"a picture or a clip", {".png", ".mp4", ".gif", ".apng"}};
 }  // namespace output_form
 
 // Fails unless the name has an ending of the form. Folders and streams, such as /dev/stdout, may

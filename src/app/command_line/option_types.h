@@ -16,6 +16,6 @@ inline constexpr const char* kAnyOfOurs =
     "FILE.creature.json|FILE.card.png|FILE.toml|FILE.cambrian";
 inline constexpr const char* kTable = "FILE.csv";
 inline constexpr const char* kPicture = "FILE.png";
-inline constexpr const char* kDrawing = "FILE.png|FILE.mp4|FILE.gif";
+inline constexpr const char* kDrawing = "FILE.png|FILE.mp4|FILE.gif|FILE.apng";
 
 }  // namespace cambrian::option_type

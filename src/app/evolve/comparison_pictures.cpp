@@ -1,6 +1,6 @@
 #include "app/evolve/comparison_pictures.h"
 
-#include "app/trial/workshop.h"
+#include "pictures/workshop.h"
 #include "comparison/curves.h"
 #include "comparison/report.h"
 #include "core/files/file_io.h"

@@ -2,13 +2,13 @@
 
 #include "app/preserve/past_world.h"
 #include "app/process/messages.h"
-#include "app/trial/clip_file.h"
-#include "app/trial/workshop.h"
 #include "core/files/file_io.h"
 #include "core/text/number_text.h"
 #include "core/text/pretty_text.h"
 #include "persist/creature/png_file.h"
 #include "pictures/clip.h"
+#include "pictures/clips/clip_file.h"
+#include "pictures/workshop.h"
 #include "pictures/world_picture.h"
 #include "simulator/simulator_version.h"
 
@@ -49,7 +49,7 @@ Result<Span> span_of(const PreserveDrawing& drawing, const SavedPreserve& saved)
     };
     if (const auto fault = outside("--from", drawing.from)) return *fault;
     if (const auto fault = outside("--to", drawing.to)) return *fault;
-    if (!is_clip_name(drawing.out)) {
+    if (drawing.format == nullptr) {
         const double at = drawing.from.value_or(last);
         return Span{at, at};
     }
@@ -62,6 +62,14 @@ Result<Span> span_of(const PreserveDrawing& drawing, const SavedPreserve& saved)
     }
     return Error{fmt::format("{}: nothing moves yet at {} s, where the clip ends", drawing.file,
                              short_text(to))};
+}
+
+// Returns the last snapshot up to a time in s.
+const SnapshotEntry& snapshot_before(const SavedPreserve& saved, double time) {
+    const auto later =
+        std::find_if(saved.snapshots.begin() + 1, saved.snapshots.end(),
+                     [&](const SnapshotEntry& each) { return each.tick > tick_of(time); });
+    return *(later - 1);
 }
 
 // Draws a world that is computed again, moment by moment.
@@ -84,10 +92,16 @@ public:
         return *reached ? Status() : Error{"interrupted; nothing was written"};
     }
 
-    Image picture() {
+    Image picture() { return picture_of(world_, camera_); }
+    // Draws a world apart from those of the clip.
+    Image picture_of(const PastWorld& world) {
+        PreserveCamera camera;
+        return picture_of(world, camera);
+    }
+    Image picture_of(const PastWorld& world, PreserveCamera& camera) {
         PreservePicture picture;
-        camera_.take(world_.preserve(), picture);
-        picture.died = std::make_shared<const std::vector<Life>>(world_.died());
+        camera.take(world.preserve(), picture);
+        picture.died = std::make_shared<const std::vector<Life>>(world.died());
         const std::string name = std::filesystem::path(drawing_.file).stem().string();
         draw_world_frame(canvas_, drawing_.palette, picture, capitalized(name));
         return canvas_.finish();
@@ -98,10 +112,15 @@ public:
         return png ? write_file(drawing_.out, *png) : Status(png.error());
     }
 
-    Status write_clip(const Span& span) {
+    Status write_clip(const Span& span, const ColorCensus& colors) {
         const ClipTiming timing{drawing_.frames_a_second, drawing_.speed, span.to - span.from};
-        auto clip =
-            ClipFile::open(drawing_.out, canvas_.width(), canvas_.height(), timing.frames_a_second);
+        auto clip = ClipFile::open(*drawing_.format, {.path = drawing_.out,
+                                                      .width = canvas_.width(),
+                                                      .height = canvas_.height(),
+                                                      .frames_a_second = timing.frames_a_second,
+                                                      .frames = clip_frames(timing),
+                                                      .colors = &colors,
+                                                      .dithered = drawing_.dithered});
         if (!clip) return clip.error();
         for (std::uint64_t frame = 0; frame < clip_frames(timing); ++frame) {
             const double time = std::min(span.from + clip_time(timing, frame), span.to);
@@ -135,10 +154,7 @@ Status draw_preserve(const PreserveDrawing& drawing, const EvolutionKinds& kinds
                         "one than it was",
                         drawing.file, saved->origin.simulator, kSimulatorVersion));
     }
-    const auto later =
-        std::find_if(saved->snapshots.begin() + 1, saved->snapshots.end(),
-                     [&](const SnapshotEntry& each) { return each.tick > tick_of(span->from); });
-    const SnapshotEntry& before = *(later - 1);
+    const SnapshotEntry& before = snapshot_before(*saved, span->from);
     auto world = PastWorld::at(drawing.file, *saved, before, saved->snapshots.back().tick, kinds);
     if (!world) return Error{drawing.file + ": " + world.error().message};
     const auto workshop = open_workshop(drawing.width, drawing.height);
@@ -146,7 +162,13 @@ Status draw_preserve(const PreserveDrawing& drawing, const EvolutionKinds& kinds
     Drawer drawer(drawing, *world, *(*workshop)->canvas, work);
     work.begin("drawing", span->to - seconds_of(before));
     if (Status there = drawer.go_to(span->from); !there) return there;
-    return is_clip_name(drawing.out) ? drawer.write_clip(*span) : drawer.write_picture();
+    if (drawing.format == nullptr) return drawer.write_picture();
+    return drawer.write_clip(*span, census_of(*drawing.format, [&](int i) {
+        const double time = span->from + (span->to - span->from) * i / (kCountedPictures - 1);
+        const auto past = PastWorld::at(drawing.file, *saved, snapshot_before(*saved, time),
+                                        saved->snapshots.back().tick, kinds);
+        return drawer.picture_of(past ? *past : *world);
+    }));
 }
 
 }  // namespace cambrian

@@ -6,6 +6,7 @@
 #include "core/result.h"
 #include "evolution/kinds/evolution_kinds.h"
 #include "pictures/canvas/palette.h"
+#include "pictures/clips/clip_format.h"
 
 #include <filesystem>
 #include <optional>
@@ -15,8 +16,9 @@ namespace cambrian {
 
 struct PreserveDrawing {
     std::string file;
-    std::filesystem::path out;  // a picture, or a clip if its name says so
-    int width = 0;              // pixels
+    std::filesystem::path out;
+    const ClipFormat* format = nullptr;  // null for a picture
+    int width = 0;                       // pixels
     int height = 0;
     Palette palette;
     // Times of the preserve in s. A picture shows the first, by default the last one kept; a clip
@@ -24,6 +26,7 @@ struct PreserveDrawing {
     std::optional<double> from, to;
     double frames_a_second = 0.0;
     double speed = 0.0;
+    bool dithered = false;
 };
 
 // Computes the preserve from the snapshot before, and draws it.

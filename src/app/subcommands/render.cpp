@@ -5,20 +5,18 @@
 #include "app/process/long_work.h"
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
-#include "app/trial/clip_file.h"
 #include "app/trial/creature_world.h"
 #include "app/trial/score_notice.h"
-#include "app/trial/workshop.h"
 #include "core/files/file_io.h"
 #include "core/text/number_text.h"
 #include "core/text/parsed_number.h"
 #include "core/text/pretty_text.h"
-#include "evolution/evaluation/trials.h"
 #include "persist/creature/creature_card.h"
 #include "persist/creature/png_file.h"
 #include "pictures/card_picture.h"
 #include "pictures/clip.h"
 #include "pictures/sheet.h"
+#include "pictures/workshop.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -52,9 +50,18 @@ struct RenderOptions {
     std::optional<double> from;
     std::optional<double> to;
     bool card = false;
+    bool animated = false;
+    bool dithered = false;
 };
 
-enum class Product : unsigned char { kSheet, kCard, kClip };
+enum class ProductKind : unsigned char { kSheet, kCard, kClip };
+
+struct Product {
+    ProductKind kind = ProductKind::kSheet;
+    const ClipFormat* format = nullptr;  // null unless pictures move: a clip or a moving card
+
+    bool is_card() const { return kind == ProductKind::kCard; }
+};
 
 // Parses "1280x720"; returns nothing for other text and for sizes that cannot be drawn.
 std::optional<Size> parse_size(const std::string& text) {
@@ -76,37 +83,53 @@ std::string check_size(const std::string& text) {
 
 Result<Product> product_of(const RenderOptions& options) {
     const std::filesystem::path out = options.out;
-    if (is_clip_name(out)) {
-        if (options.card) return Error{options.out + ": a card is a picture, expected *.png"};
-        return Product::kClip;
+    if (const ClipFormat* format = clip_format_of(out)) {
+        if (options.card || options.animated)
+            return Error{options.out + ": a card is a picture, expected *.png"};
+        return Product{ProductKind::kClip, format};
     }
     if (out.extension() != ".png")
-        return Error{options.out + ": expected a name that ends in .png, .mp4 or .gif"};
-    const bool named_card = options.out.ends_with(kCardEnding);
-    return options.card || named_card ? Product::kCard : Product::kSheet;
+        return Error{options.out + ": expected a name that ends in .png, .mp4, .gif or .apng"};
+    if (options.card || options.out.ends_with(kCardEnding))
+        return Product{ProductKind::kCard, options.animated ? &card_format() : nullptr};
+    if (options.animated) return Error{options.out + ": --animated is for cards (*.card.png)"};
+    return Product{};
 }
 
-Size usual_size(Product product) {
-    if (product == Product::kSheet) return {1600, 900};
-    if (product == Product::kCard) return {kCardWidth, kCardHeight};
-    return {1280, 720};
+Size usual_size(const Product& product) {
+    if (product.kind == ProductKind::kSheet) return {1600, 900};
+    if (product.kind == ProductKind::kClip)
+        return {product.format->usual_width, product.format->usual_height};
+    if (product.format != nullptr) return {kMovingCardWidth, kMovingCardHeight};
+    return {kCardWidth, kCardHeight};
+}
+
+double usual_rate(const Product& product) {
+    return product.format == nullptr ? ClipTiming().frames_a_second : product.format->usual_rate;
 }
 
 // Rejects options that have no meaning for the requested product.
-Status check_options(const RenderOptions& options, Product product) {
+Status check_options(const RenderOptions& options, const Product& product) {
     const bool timed = options.frames_a_second || options.speed || options.seconds;
-    if (product != Product::kClip && timed)
-        return Error{options.out + ": --fps, --speed and --seconds are for clips (*.mp4, *.gif)"};
-    const double rate = options.frames_a_second.value_or(ClipTiming().frames_a_second);
-    if (product == Product::kClip) {
-        if (Status possible = check_frame_rate(options.out, rate); !possible) return possible;
+    if (product.format == nullptr && timed) {
+        return Error{options.out +
+                     ": --fps, --speed and --seconds are for clips (*.mp4, *.gif, *.apng) and "
+                     "cards with --animated"};
     }
+    if (options.dithered && (product.format == nullptr || !product.format->few_colors))
+        return Error{options.out +
+                     ": --dither is for clips of few colors (*.gif, *.apng) and cards "
+                     "with --animated"};
     const Size size = parse_size(options.size).value_or(usual_size(product));
-    if (product == Product::kClip && (size.width % 2 != 0 || size.height % 2 != 0))
-        return Error{options.out + ": clips must be an even number of pixels wide and high"};
-    if (product != Product::kSheet && options.poses)
+    if (product.format != nullptr) {
+        const double rate = options.frames_a_second.value_or(usual_rate(product));
+        const Status possible =
+            check_clip(*product.format, options.out, size.width, size.height, rate);
+        if (!possible) return possible;
+    }
+    if (product.kind != ProductKind::kSheet && options.poses)
         return Error{options.out + ": --poses is for sheets (*.png)"};
-    if (product == Product::kCard && !options.environment.empty())
+    if (product.is_card() && !options.environment.empty())
         return Error{options.out +
                      ": a card shows the trial its creature was scored in; leave "
                      "--environment away"};
@@ -114,14 +137,14 @@ Status check_options(const RenderOptions& options, Product product) {
 }
 
 // Rejects options that have no meaning for a preserve.
-Status check_preserve_options(const RenderOptions& options, Product product) {
-    if (product == Product::kCard) return Error{options.creature + ": a preserve has no card"};
+Status check_preserve_options(const RenderOptions& options, const Product& product) {
+    if (product.is_card()) return Error{options.creature + ": a preserve has no card"};
     if (options.poses || options.seconds || !options.environment.empty())
         return Error{options.creature +
                      ": --poses, --seconds and --environment are for creatures; a preserve's times "
                      "are --from and --to"};
-    if (product != Product::kClip && options.to)
-        return Error{options.out + ": --to is for clips (*.mp4, *.gif)"};
+    if (product.format == nullptr && options.to)
+        return Error{options.out + ": --to is for clips (*.mp4, *.gif, *.apng)"};
     return {};
 }
 
@@ -135,15 +158,19 @@ public:
             ->required();
         app.add_option("-o,--out", options_.out,
                        "File to write: a sheet of poses or a picture of a preserve (*.png), a clip "
-                       "(*.mp4, *.gif; needs ffmpeg) or a card that contains the creature "
-                       "(*.card.png)")
+                       "(*.gif; *.mp4, which needs ffmpeg; *.apng, which contains the creature) or "
+                       "a card that contains the creature (*.card.png)")
             ->type_name(option_type::kDrawing)
             ->required();
         app.add_flag("--card", options_.card,
                      "Card instead of a sheet, also if the name does not end in .card.png");
+        app.add_flag("--animated", options_.animated, "Card on which the creature moves");
+        app.add_flag("--dither", options_.dithered,
+                     "Mix colors where a GIF or a moving card has too few; about twice as large");
         app.add_option("--size", options_.size,
                        "Size in pixels, each side 64 to 4096; 1600x900 for a picture, 1280x720 for "
-                       "a clip and 960x1280 for a card by default")
+                       "an MP4, 640x360 for other clips, 960x1280 for a card and 600x800 for one "
+                       "that moves by default")
             ->type_name("WIDTHxHEIGHT")
             ->check(check_size);
         app.add_option("--theme", options_.theme, "Theme of the colors")
@@ -152,8 +179,9 @@ public:
         take_whole(*app.add_option("--poses", options_.poses, "Number of poses of a sheet")
                         ->default_str(std::to_string(kUsualPoses)),
                    1, kMostPoses);
-        take_real(*app.add_option("--fps", options_.frames_a_second, "Frames per second of a clip")
-                       ->default_str(short_text(ClipTiming().frames_a_second)),
+        take_real(*app.add_option("--fps", options_.frames_a_second,
+                                  "Frames per second of a clip; 30 for an MP4 and 20 for others by "
+                                  "default"),
                   1.0, 120.0);
         take_real(*app.add_option("--speed", options_.speed,
                                   "Speed of a clip, as a multiple of real time")
@@ -161,7 +189,7 @@ public:
                   0.05, 20.0);
         take_real(*app.add_option("--seconds", options_.seconds,
                                   "Duration, in seconds from the start of the trial, of what a "
-                                  "clip shows; the complete trial by default"),
+                                  "clip shows; the complete trial by default, 4 on a moving card"),
                   0.01, 86400.0);
         take_real(
             *app.add_option("--from", options_.from,
@@ -207,15 +235,14 @@ public:
         work.begin("simulating", settings->world.trial.duration);
         const auto subject = subject_of(*document, *settings, title(), kinds, work.watch());
         if (!subject) return fail(subject.error(), ExitStatus::kFailed);
-        const Scene scene{*subject, first_trial_world(*settings), kinds.creature};
         if (subject->verified == false)
             say(options_.creature + ": the motion differs from that of the scored trial");
-        const Status made = make(*product, scene, *text, *path, work);
+        const Status made = make(*product, *subject, kinds.creature, *text, *path, work);
         return made ? ExitStatus::kDone : fail(made.error(), ExitStatus::kFailed);
     }
 
 private:
-    ExitStatus render_preserve(Product product, const EvolutionKinds& kinds) {
+    ExitStatus render_preserve(const Product& product, const EvolutionKinds& kinds) {
         if (const Status usable = check_preserve_options(options_, product); !usable)
             return fail(usable.error());
         const auto path = output_path(options_.out, "", files());
@@ -226,20 +253,22 @@ private:
         const Status drawn = draw_preserve(
             {.file = options_.creature,
              .out = *path,
+             .format = product.format,
              .width = size.width,
              .height = size.height,
              .palette = palette(),
              .from = options_.from,
              .to = options_.to,
-             .frames_a_second = options_.frames_a_second.value_or(usual.frames_a_second),
-             .speed = options_.speed.value_or(usual.speed)},
+             .frames_a_second = options_.frames_a_second.value_or(usual_rate(product)),
+             .speed = options_.speed.value_or(usual.speed),
+             .dithered = options_.dithered},
             kinds, work);
         if (drawn) return ExitStatus::kDone;
         return fail(drawn.error(),
                     work.interrupted() ? ExitStatus::kFailed : ExitStatus::kBadInput);
     }
 
-    Size size_of(Product product) const {
+    Size size_of(const Product& product) const {
         return parse_size(options_.size).value_or(usual_size(product));
     }
     Palette palette() const {
@@ -252,22 +281,24 @@ private:
         return capitalized(name.substr(0, name.find('.')));
     }
 
-    // The subject and all that is needed to compute its trial once more.
-    struct Scene {
-        const Subject& subject;
-        TrialWorld world;
-        const Kinds& kinds;
-    };
-
-    Status make(Product product, const Scene& scene, const std::string& text,
-                const std::filesystem::path& path, LongWork& work) const {
-        const Subject& subject = scene.subject;
+    Status make(const Product& product, const Subject& subject, const Kinds& kinds,
+                const std::string& text, const std::filesystem::path& path, LongWork& work) const {
         const Size size = size_of(product);
         const auto workshop = open_workshop(size.width, size.height);
         if (!workshop) return workshop.error();
         PictureCanvas& canvas = *(*workshop)->canvas;
-        if (product == Product::kClip) return make_clip(canvas, scene, path, work);
-        if (product == Product::kCard) {
+        if (product.format != nullptr) {
+            const ClipOrder order{.format = product.format,
+                                  .path = path,
+                                  .timing = timing(product, subject),
+                                  .palette = palette(),
+                                  .dithered = options_.dithered,
+                                  .card = product.is_card(),
+                                  .creature = text};
+            work.begin("drawing", order.timing.seconds);
+            return write_clip(canvas, subject, kinds, order, work.watch());
+        }
+        if (product.is_card()) {
             draw_card(canvas, subject, palette());
             return save_card(path, canvas.finish(), text);
         }
@@ -276,27 +307,14 @@ private:
         return png ? write_file(path, *png) : Status(png.error());
     }
 
-    Status make_clip(PictureCanvas& canvas, const Scene& scene, const std::filesystem::path& path,
-                     LongWork& work) const {
-        const Subject& subject = scene.subject;
+    ClipTiming timing(const Product& product, const Subject& subject) const {
         ClipTiming timing;
-        timing.frames_a_second = options_.frames_a_second.value_or(timing.frames_a_second);
+        timing.frames_a_second = options_.frames_a_second.value_or(usual_rate(product));
         timing.speed = options_.speed.value_or(timing.speed);
-        timing.seconds = std::min(options_.seconds.value_or(subject.motion().length()),
-                                  subject.motion().length());
-        auto motion = ReplayedMotion::start(subject.motion().phenotype, scene.kinds, scene.world);
-        if (!motion) return motion.error();
-        auto clip = ClipFile::open(path, canvas.width(), canvas.height(), timing.frames_a_second);
-        if (!clip) return clip.error();
-        work.begin("drawing", timing.seconds);
-        for (std::uint64_t frame = 0; frame < clip_frames(timing); ++frame) {
-            if (work.interrupted()) return Error{"interrupted; nothing was written"};
-            const double time = clip_time(timing, frame);
-            draw_clip_frame(canvas, subject, palette(), {time, motion->at(time)});
-            work.watch().note(time);
-            if (Status added = (*clip)->add(canvas.finish()); !added) return added;
-        }
-        return (*clip)->finish();
+        const double whole = subject.motion().length();
+        const double usual = product.is_card() ? kMovingCardSeconds * timing.speed : whole;
+        timing.seconds = std::min(options_.seconds.value_or(usual), whole);
+        return timing;
     }
 
     RenderOptions options_;

@@ -82,7 +82,9 @@ Result<std::unique_ptr<OffscreenContext>> OffscreenContext::create() {
     result->surface_ = create_surface(display, config);
     if (eglMakeCurrent(display, result->surface_, result->surface_, result->context_) != EGL_TRUE)
         return failure("EGL does not let it be used");
-    if (gladLoadGL(eglGetProcAddress) == 0) return failure("its functions are missing");
+    // The functions are the same for every context; those of a window may be in use.
+    if (glad_glGetString == nullptr && gladLoadGL(eglGetProcAddress) == 0)
+        return failure("its functions are missing");
     return result;
 }
 

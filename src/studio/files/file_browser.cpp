@@ -15,8 +15,9 @@ bool suits(std::string_view name, FileTask task) {
     if (name.ends_with(ending_of(task))) return true;
     if (task == FileTask::kSaveCreature) return name.ends_with(kCardEnding);
     // Cards may have lost the first part of their double ending when they were sent.
-    return task == FileTask::kOpen && (name.ends_with(".toml") || name.ends_with(".png") ||
-                                       name.ends_with(ending_of(FileTask::kSaveExperiment)));
+    return task == FileTask::kOpen &&
+           (name.ends_with(".toml") || name.ends_with(".png") || name.ends_with(".apng") ||
+            name.ends_with(ending_of(FileTask::kSaveExperiment)));
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kin
     if (name.ends_with(".toml")) {
         return loaded_settings(path, kinds);
     }
-    if (name.ends_with(".json") || is_card_name(path)) {
+    if (name.ends_with(".json") || name.ends_with(".apng") || is_card_name(path)) {
         auto document = load_creature(path, kinds);
         if (document) return CreatureLoaded{path, std::move(*document)};
         return FileFailed{path, document.error().message, true};

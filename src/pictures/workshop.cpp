@@ -1,4 +1,4 @@
-#include "app/trial/workshop.h"
+#include "pictures/workshop.h"
 
 #include <utility>
 

@@ -1,7 +1,9 @@
-#include "app/trial/clip_file.h"
+// MP4, by the installed ffmpeg, which reads the pictures from a pipe.
 
+#include "core/files/pending_file.h"
 #include "core/spawn_group.h"
 #include "core/text/number_text.h"
+#include "pictures/clips/clip_format.h"
 
 #include <fmt/core.h>
 
@@ -9,6 +11,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
@@ -31,31 +34,20 @@ void close_pipe(int& pipe) {
     pipe = -1;
 }
 
-std::vector<std::string> encoder_of(const std::filesystem::path& path) {
-    if (path.extension() == ".gif")
-        return {"-filter_complex",
-                "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=none", "-f",
-                "gif"};
-    return {"-c:v",    "libx264",   "-crf",       "18", "-pix_fmt",
-            "yuv420p", "-movflags", "+faststart", "-f", "mp4"};
-}
+constexpr double kMostMp4Rate = 120.0;  // Hz
 
-std::vector<std::string> arguments_of(const std::filesystem::path& target,
-                                      const std::filesystem::path& temporary, int width, int height,
-                                      double frames_a_second) {
-    std::vector<std::string> arguments = {"ffmpeg",       "-nostdin",
-                                          "-hide_banner", "-loglevel",
-                                          "error",        "-y",
-                                          "-f",           "rawvideo",
-                                          "-pix_fmt",     "rgb24",
-                                          "-s",           fmt::format("{}x{}", width, height),
-                                          "-r",           short_text(frames_a_second),
-                                          "-i",           "pipe:0"};
-    for (std::string& argument : encoder_of(target))
-        arguments.push_back(std::move(argument));
-    // The prefix prevents a name from being read as a protocol or an option.
-    arguments.push_back("file:" + temporary.string());
-    return arguments;
+std::vector<std::string> arguments_of(const ClipPlan& plan,
+                                      const std::filesystem::path& temporary) {
+    return {"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-y",
+            // The pictures that it gets.
+            "-f", "rawvideo", "-pix_fmt", "rgb24", "-s",
+            fmt::format("{}x{}", plan.width, plan.height), "-r", short_text(plan.frames_a_second),
+            "-i", "pipe:0",
+            // What it makes of them.
+            "-c:v", "libx264", "-preset", "veryfast", "-crf", "18", "-pix_fmt", "yuv420p",
+            "-movflags", "+faststart", "-f", "mp4",
+            // The prefix prevents a name from being read as a protocol or an option.
+            "file:" + temporary.string()};
 }
 
 // The redirections of the child's ends of the pipes.
@@ -89,39 +81,54 @@ int spawn(const std::vector<std::string>& arguments, int input, int errors, int&
                           environ);
 }
 
+constexpr const char* kWithoutFfmpeg =
+    "clips of MP4 are made by ffmpeg, which is not installed (Debian: apt install ffmpeg); GIF "
+    "needs nothing more";
+
+// Returns whether a program can be found as posix_spawnp() does it.
+bool is_installed(const char* program) {
+    const char* const path = std::getenv("PATH");
+    std::string_view left = path == nullptr ? "/bin:/usr/bin" : path;
+    while (!left.empty()) {
+        const std::string folder(left.substr(0, left.find(':')));
+        left.remove_prefix(std::min(left.size(), folder.size() + 1));
+        if (::access((folder + "/" + program).c_str(), X_OK) == 0) return true;
+    }
+    return false;
+}
+
 Error spawn_failure(int code) {
-    if (code == ENOENT)
-        return Error{
-            "clips are made by ffmpeg, which is not installed (Debian: apt install "
-            "ffmpeg); pictures (*.png) need nothing more"};
+    if (code == ENOENT) return Error{kWithoutFfmpeg};
     return Error{"ffmpeg cannot be started: " + std::generic_category().message(code)};
 }
 
-}  // namespace
+class Mp4Clip final : public ClipEncoder {
+public:
+    explicit Mp4Clip(PendingFile file) : file_(std::move(file)) {}
+    ~Mp4Clip() override;
+    Mp4Clip(const Mp4Clip&) = delete;
+    Mp4Clip& operator=(const Mp4Clip&) = delete;
 
-bool is_clip_name(const std::filesystem::path& path) {
-    return path.extension() == ".mp4" || path.extension() == ".gif";
-}
+    Status begin(const ClipPlan& plan);
+    // Waits until ffmpeg has read the picture.
+    Status add(const Image& picture) override;
+    // Fails if ffmpeg did or if it wrote nothing.
+    Status finish() override;
 
-Status check_frame_rate(const std::filesystem::path& path, double frames_a_second) {
-    if (path.extension() != ".gif" || frames_a_second <= kMostGifRate) return {};
-    return Error{fmt::format(
-        "{}: a GIF shows at most {} frames a second, found {}; browsers slow down faster ones",
-        path.string(), short_text(kMostGifRate), short_text(frames_a_second))};
-}
+private:
+    void drain();
+    bool wait_for_end(int& status);
+    // Returns what ffmpeg said, or `otherwise`.
+    Status failure(const char* otherwise = "failed");
 
-Result<std::unique_ptr<ClipFile>> ClipFile::open(const std::filesystem::path& path, int width,
-                                                 int height, double frames_a_second) {
-    auto file = PendingFile::beside(path);
-    if (!file) return file.error();
-    const auto arguments = arguments_of(path, file->path(), width, height, frames_a_second);
-    std::unique_ptr<ClipFile> clip(new ClipFile(std::move(*file), path.string()));
-    const Status started = clip->start(arguments);
-    if (!started) return started.error();
-    return clip;
-}
+    PendingFile file_;
+    int process_ = -1;     // process id; -1 after it ended
+    int pictures_ = -1;    // pipe to ffmpeg
+    int complaints_ = -1;  // pipe from ffmpeg's standard error
+    std::string words_;    // the first of what came from there
+};
 
-Status ClipFile::start(const std::vector<std::string>& arguments) {
+Status Mp4Clip::begin(const ClipPlan& plan) {
     std::array<int, 2> to{};
     std::array<int, 2> from{};
     if (::pipe2(to.data(), O_CLOEXEC) != 0) return spawn_failure(errno);
@@ -132,7 +139,7 @@ Status ClipFile::start(const std::vector<std::string>& arguments) {
         return spawn_failure(code);
     }
     complaints_ = from[0];
-    const int code = spawn(arguments, to[0], from[1], process_);
+    const int code = spawn(arguments_of(plan, file_.path()), to[0], from[1], process_);
     ::close(to[0]);
     ::close(from[1]);
     for (const int end : {pictures_, complaints_})
@@ -144,7 +151,7 @@ Status ClipFile::start(const std::vector<std::string>& arguments) {
 
 // Both pipes are served at the same time, since ffmpeg reads no pictures while nobody reads its
 // messages.
-Status ClipFile::add(const Image& picture) {
+Status Mp4Clip::add(const Image& picture) {
     std::size_t written = 0;
     while (written < picture.rgb.size()) {
         std::array<pollfd, 2> ends{
@@ -162,7 +169,7 @@ Status ClipFile::add(const Image& picture) {
 }
 
 // Reads what ffmpeg has written to its standard error and keeps the start of it.
-void ClipFile::drain() {
+void Mp4Clip::drain() {
     std::array<char, 4096> bytes{};
     for (;;) {
         const ssize_t count = ::read(complaints_, bytes.data(), bytes.size());
@@ -175,7 +182,7 @@ void ClipFile::drain() {
 }
 
 // Waits for a while; returns whether ffmpeg has ended and, if so, its status.
-bool ClipFile::wait_for_end(int& status) {
+bool Mp4Clip::wait_for_end(int& status) {
     pollfd messages{complaints_, POLLIN, 0};
     ::poll(&messages, 1, kEndPause);
     if (messages.revents != 0) drain();
@@ -185,7 +192,7 @@ bool ClipFile::wait_for_end(int& status) {
     return true;
 }
 
-Status ClipFile::finish() {
+Status Mp4Clip::finish() {
     close_pipe(pictures_);
     int status = 0;
     while (!wait_for_end(status)) {
@@ -197,23 +204,50 @@ Status ClipFile::finish() {
 }
 
 // Its message may arrive after it has closed the pipe of pictures.
-Status ClipFile::failure(const char* otherwise) {
+Status Mp4Clip::failure(const char* otherwise) {
     close_pipe(pictures_);
     int status = 0;
     for (int pauses = 0; pauses < kMostEndPauses && process_ > 0; ++pauses)
         wait_for_end(status);
     const std::string words = words_.substr(0, words_.find('\n'));
-    return Error{fmt::format("cannot make {}: ffmpeg {}", name_,
+    return Error{fmt::format("cannot make {}: ffmpeg {}", file_.target().string(),
                              words.empty() ? otherwise : "says " + words)};
 }
 
-ClipFile::~ClipFile() {
+Mp4Clip::~Mp4Clip() {
     close_pipe(pictures_);
     if (process_ > 0) {
         ::kill(process_, SIGKILL);
         ::waitpid(process_, nullptr, 0);
     }
     close_pipe(complaints_);
+}
+
+Result<std::unique_ptr<ClipEncoder>> open_mp4(const ClipPlan& plan) {
+    auto file = PendingFile::beside(plan.path);
+    if (!file) return file.error();
+    auto clip = std::make_unique<Mp4Clip>(*std::move(file));
+    if (Status begun = clip->begin(plan); !begun) return begun.error();
+    return std::unique_ptr<ClipEncoder>(std::move(clip));
+}
+
+std::string why_no_mp4() {
+    return is_installed("ffmpeg") ? std::string() : kWithoutFfmpeg;
+}
+
+}  // namespace
+
+ClipFormat mp4_format() {
+    return {.ending = ".mp4",
+            .label = "MP4",
+            .usual_width = 1280,
+            .usual_height = 720,
+            .usual_rate = 30.0,
+            .most_rate = kMostMp4Rate,
+            .slowness = "displays show no more",
+            .even_sides = true,
+            .missing = why_no_mp4,
+            .open = open_mp4};
 }
 
 }  // namespace cambrian
