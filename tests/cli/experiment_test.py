@@ -45,6 +45,60 @@ class Experiment(ProgramTest):
         for champion in kept:
             self.run_well("verify", champion)
 
+    def journal(self, name):
+        with opened(self.folder / name) as database:
+            return [tuple(row) for row in database.execute(
+                "SELECT generation, command FROM journal WHERE command != 'start' ORDER BY rowid")]
+
+    def test_settings_change_and_creatures_join_where_a_run_is_resumed(self):
+        self.run_well("evolve", "small.toml", "-n", 3, "-o", "a.cambrian")
+        walker = self.evolve_champion("walker.creature.json")
+        for name, threads in [("b.cambrian", 1), ("c.cambrian", 2)]:
+            told = self.run_well(
+                "evolve", "--resume", "a.cambrian", "--set", "environment.gravity=3.5", "--set",
+                "mutation.rate=2", "--inject", walker, "-n", 6, "-t", threads, "-o", name).stderr
+            self.assertEqual(told.count("environment.gravity: 3.5 m/s² instead of 9.81 m/s² from "
+                                        "generation 3 on"), 1, told)
+            self.assertEqual(self.journal(name), [(3, "settings"), (3, "inject")])
+            self.run_well("verify", name)
+        self.assertEqual(digests(self.folder / "b.cambrian"), digests(self.folder / "c.cambrian"))
+        self.run_well("evolve", "--resume", "a.cambrian", "-n", 6, "-o", "uncut.cambrian")
+        uncut = digests(self.folder / "uncut.cambrian")
+        self.assertEqual(digests(self.folder / "b.cambrian")[:3], uncut[:3])
+        self.assertNotEqual(digests(self.folder / "b.cambrian")[3:], uncut[3:])
+        self.assertIn("gravity = 3.5", self.run_well("export", "b.cambrian", "--settings").stdout)
+
+    def test_a_value_that_a_run_has_already_changes_nothing(self):
+        self.run_well("evolve", "small.toml", "-n", 3, "-o", "a.cambrian")
+        self.run_well("evolve", "--resume", "a.cambrian", "-n", 5, "-o", "b.cambrian")
+        told = self.run_well("evolve", "--resume", "a.cambrian", "-n", 5, "--set",
+                             "environment.gravity=9.81").stderr
+        self.assertNotIn("gravity", told)
+        self.assertEqual(self.journal("a.cambrian"), [])
+        self.assertEqual(digests(self.folder / "a.cambrian"), digests(self.folder / "b.cambrian"))
+
+    def test_a_setting_on_which_a_run_ends_can_be_changed(self):
+        self.run_well("evolve", "small.toml", "-n", 2, "-o", "a.cambrian")
+        self.run_well("evolve", "--resume", "a.cambrian", "--set", "run.generations=4")
+        self.assertEqual(len(digests(self.folder / "a.cambrian")), 4)
+        self.run_well("verify", "a.cambrian")
+
+    def test_what_cannot_be_done_to_a_resumed_run_writes_nothing(self):
+        self.run_well("evolve", "small.toml", "-n", 2, "-o", "a.cambrian")
+        before = (self.folder / "a.cambrian").read_bytes()
+        for options, part in [
+                (("--set", "run.seed=9"), "run.seed cannot change during a run"),
+                (("--set", "environment.gravity=-1"), "--set: "),
+                (("--set", "gravitation=1"), "unknown setting"),
+                (("--inject", "none.creature.json"), "none.creature.json"),
+                (("--set", "environment.gravity=3"), "is complete with 2 generations")]:
+            generations = () if "complete" in part else ("-n", 4)
+            result = self.run_program("evolve", "--resume", "a.cambrian", *options, *generations)
+            self.assert_refused(result, part)
+            self.assertEqual((self.folder / "a.cambrian").read_bytes(), before)
+        self.assert_refused(self.run_program("evolve", "small.toml", "--inject", "x.creature.json"),
+                            "--inject", "--resume")
+
     def test_resumed_it_is_the_run_that_was_never_stopped(self):
         self.run_well("evolve", "small.toml", "-n", 20, "-t", 1, "-o", "uncut.cambrian")
         expected = digests(self.folder / "uncut.cambrian")

@@ -17,7 +17,7 @@
 #include "evolution/engine/stopping.h"
 #include "evolution/evaluation/trials.h"
 #include "evolution/evolution.h"
-#include "evolution/fields/setting_field.h"
+#include "evolution/fields/setting_changes.h"
 #include "persist/creature/creature_file.h"
 #include "persist/creature/rescoring.h"
 #include "persist/experiment/experiment_file.h"
@@ -107,8 +107,7 @@ Status check_unfinished(const std::string& file, const SavedExperiment& saved,
                              file, saved.latest->history.size())};
 }
 
-ExperimentSettings limits_of(const EvolutionRun& run, const SavedExperiment& saved) {
-    ExperimentSettings limits = saved.latest ? *saved.latest->settings : *saved.settings;
+ExperimentSettings limits_of(const EvolutionRun& run, ExperimentSettings limits) {
     if (!run.generations) return limits;
     // Whoever asks for more generations wants them, whatever ended the run before.
     limits.generations = *run.generations;
@@ -117,13 +116,67 @@ ExperimentSettings limits_of(const EvolutionRun& run, const SavedExperiment& sav
     return limits;
 }
 
+// What is done to an experiment that is continued, before its next generation.
+struct Steering {
+    std::vector<SteeringCommand> commands;  // without those that would change nothing
+    ExperimentSettings settings;            // of the next generation
+    std::vector<std::string> words;         // what changes
+};
+
+// Takes over the values that were typed.
+Status change_settings(Steering& steering, const std::vector<std::string>& sets,
+                       std::uint32_t generation, const EvolutionKinds& kinds) {
+    ExperimentSettings running = steering.settings;
+    Result<ExperimentSettings> typed = with_typed(running, sets, kinds);
+    if (!typed) return Error{"--set: " + typed.error().message};
+    const std::vector<SettingField> fields = setting_fields(kinds);
+    for (const SettingField& field : fields) {
+        if (field.by_run || same_value(field, running, *typed)) continue;
+        if (!field.live) {
+            return Error{
+                fmt::format("--set: {} cannot change during a run; a new run can have "
+                            "another",
+                            path_of(field))};
+        }
+        steering.words.push_back(fmt::format("{}: {} instead of {} from generation {} on",
+                                             path_of(field), value_text(field, field.at(*typed)),
+                                             value_text(field, field.at(running)), generation));
+    }
+    steering.settings = with_live_fields(running, *typed, fields);
+    if (const Status valid = check_settings(steering.settings, kinds); !valid)
+        return Error{"--set: " + valid.error().message};
+    if (!(steering.settings == running))
+        steering.commands.emplace_back(
+            ChangeSettings{std::make_shared<const ExperimentSettings>(steering.settings)});
+    return {};
+}
+
+Result<Steering> steering_of(const EvolutionRun& run, const Evolution& evolution,
+                             const EvolutionKinds& kinds) {
+    Steering steering{{}, evolution.settings(), {}};
+    if (!run.sets.empty()) {
+        const Status changed = change_settings(steering, run.sets, evolution.generation(), kinds);
+        if (!changed) return changed.error();
+    }
+    const FounderPlaces places = {"[population] size", steering.settings.population.size,
+                                  "--inject"};
+    const auto files = load_founders(run.injected, places, steering.settings, kinds);
+    if (!files) return files.error();
+    for (GenomePtr& genome : genomes_of(*files))
+        steering.commands.emplace_back(InjectGenome{std::move(genome)});
+    return steering;
+}
+
 // Returns the experiment file to continue: the given one or, if another output is given, a copy.
 Result<std::string> file_to_resume(const EvolutionRun& run, const EvolutionKinds& kinds) {
     if (!is_experiment_name(run.out)) return run.resume;
     const Result<SavedExperiment> saved = load_experiment(run.resume, kinds);
     if (!saved) return saved.error();
-    if (Status unfinished = check_unfinished(run.resume, *saved, limits_of(run, *saved));
-        !unfinished)
+    const Evolution evolution = resumed(*saved, kinds);
+    const Result<Steering> steering = steering_of(run, evolution, kinds);
+    if (!steering) return steering.error();
+    const ExperimentSettings limits = limits_of(run, steering->settings);
+    if (Status unfinished = check_unfinished(run.resume, *saved, limits); !unfinished)
         return unfinished.error();
     if (Status copied = copy_experiment(run.resume, run.out); !copied) return copied.error();
     return run.out;
@@ -138,14 +191,25 @@ Result<Course> resumed_course(const EvolutionRun& run, const EvolutionKinds& kin
     if (!opened) return opened.error();
     const SavedExperiment& saved = opened->saved;
     say_of_simulator(run.resume, saved);
-    ExperimentSettings limits = limits_of(run, saved);
+    Evolution evolution = resumed(saved, kinds);
+    const Result<Steering> steering = steering_of(run, evolution, kinds);
+    if (!steering) return steering.error();
+    ExperimentSettings limits = limits_of(run, steering->settings);
     if (Status unfinished = check_unfinished(run.resume, saved, limits); !unfinished)
         return unfinished.error();
     Result<RunOutputs> outputs =
         run.out.empty() ? RunOutputs{} : run_outputs({run.out, limits, files_of(run)});
     if (!outputs) return outputs.error();
     outputs->experiment = *file;
-    return Course{resumed(saved, kinds),   std::move(limits),   std::move(made),
+    std::vector<NotedCommand> notes;
+    for (const std::string& each : steering->words)
+        say(each);
+    for (const SteeringCommand& command : steering->commands) {
+        notes.push_back({evolution.generation(), command});
+        if (Status noted = opened->file->note(notes.back()); !noted) return noted.error();
+    }
+    give_commands(evolution, notes);
+    return Course{std::move(evolution),    std::move(limits),   std::move(made),
                   std::move(opened->file), *std::move(outputs), std::move(opened->saved)};
 }
 
@@ -338,7 +402,10 @@ Status check_place_of_several(const EvolutionRun& run) {
 
 CommandFiles files_of(const EvolutionRun& run) {
     CommandFiles files;
-    files.reads(run.settings_file).reads(run.resume).reads_each(run.founders);
+    files.reads(run.settings_file)
+        .reads(run.resume)
+        .reads_each(run.founders)
+        .reads_each(run.injected);
     add_login_files(files, run.cluster);
     return is_experiment_name(run.out) ? files.keeps(run.out) : files.writes(run.out);
 }

@@ -23,9 +23,11 @@ struct EvolutionRun {
     std::string resume;         // experiment file to continue
     // Creature files of the founders; empty for random creatures.
     std::vector<std::string> founders;
-    std::optional<int> generations;      // overrides the file's
-    std::vector<std::uint64_t> seeds;    // one run for each; overrides the file's
-    std::vector<std::string> sets;       // see typed_setting(); override the file's
+    std::optional<int> generations;    // overrides the file's
+    std::vector<std::uint64_t> seeds;  // one run for each; overrides the file's
+    std::vector<std::string> sets;     // see typed_setting(); override the file's
+    // Creature files that join the next generation of an experiment that is continued.
+    std::vector<std::string> injected;
     std::optional<std::size_t> threads;  // one per core if absent; does not change results
     ClusterLogin cluster;                // without servers, only this machine evaluates
     std::string out;    // see run_outputs(); empty with `resume`: writes no further files

@@ -30,11 +30,12 @@ public:
             app.add_option("--seeds", seeds_,
                            "Seeds of several runs, one after the other, as 1..9 or 1..9,12")
                 ->excludes(seed);
-        auto* sets = app.add_option("--set", run_.sets,
-                                    "Value of a setting instead of the file's, as "
-                                    "selection.method=rank; may be given several times")
-                         ->type_name("KEY=VALUE")
-                         ->allow_extra_args(false);
+        app.add_option("--set", run_.sets,
+                       "Value of a setting instead of the file's, as "
+                       "selection.method=rank; with --resume from the next generation "
+                       "on; may be given several times")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
         auto* founders = app.add_option("-f,--founders", run_.founders,
                                         "Creature files of founders, which replace random ones")
                              ->type_name(option_type::kCreature);
@@ -47,11 +48,17 @@ public:
                        "Experiment file (*.cambrian) or creature file of the champion to write, or "
                        "folder for both; the current folder by default")
             ->type_name(option_type::kExperiment);
-        app.add_option("-r,--resume", run_.resume,
-                       "Experiment file to continue, up to its number of generations or that of "
-                       "--generations")
-            ->type_name(option_type::kExperiment)
-            ->excludes(settings, seed, seeds, sets, founders);
+        auto* resume =
+            app.add_option("-r,--resume", run_.resume,
+                           "Experiment file to continue, up to its number of generations or that "
+                           "of --generations")
+                ->type_name(option_type::kExperiment)
+                ->excludes(settings, seed, seeds, founders);
+        app.add_option("--inject", run_.injected,
+                       "Creature files whose creatures are bred into the next generation of the "
+                       "experiment that --resume continues")
+            ->type_name(option_type::kCreature)
+            ->needs(resume);
         add_cluster_choice(app, run_.cluster);
         app.add_flag("--json", run_.json, "Output as JSON, one object per line");
     }

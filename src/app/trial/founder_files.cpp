@@ -13,7 +13,7 @@ Result<std::vector<CreatureDocument>> load_founders(std::span<const std::string>
                                                     const ExperimentSettings& settings,
                                                     const EvolutionKinds& kinds) {
     if (files.size() > static_cast<std::size_t>(places.count)) {
-        return Error{fmt::format("--founders: {} creatures, but {} is {}", files.size(),
+        return Error{fmt::format("{}: {} creatures, but {} is {}", places.option, files.size(),
                                  places.setting, places.count)};
     }
     std::vector<CreatureDocument> founders;

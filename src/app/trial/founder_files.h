@@ -14,10 +14,11 @@
 
 namespace cambrian {
 
-// How many founders there may be, and the setting that says so.
+// How many founders there may be, the setting that says so, and the option that names them.
 struct FounderPlaces {
     std::string_view setting;
     int count = 0;
+    std::string_view option = "--founders";
 };
 
 // Reads the files and prints their warnings. Fails if there are more of them than places.
