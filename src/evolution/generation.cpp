@@ -130,7 +130,7 @@ IndividualPtr make_child(const ParentPair& pair, const ExperimentSettings& setti
     individual.mother = ParentLink(pair.first);
     individual.line = mother.line;
     for (const Individual* parent : {&father, &mother}) {
-        if (same_body(*individual.genome, *parent->genome))
+        if (differing_body_genes(*individual.genome, *parent->genome) == 0)
             individual.body_born = parent->body_born;
     }
     individual.mutations = std::move(mutations);

@@ -1,5 +1,6 @@
 #include "genome/field_rule.h"
 
+#include "math/elementary.h"
 #include "math/reflect.h"
 
 #include <cmath>
@@ -21,6 +22,18 @@ double fit(double x, const FieldRule& rule) {
     const double width = rule.high - rule.low;
     const double wrapped = x - width * std::floor((x - rule.low) / width);
     return in_range(wrapped, rule) ? wrapped : rule.low;
+}
+
+double draw(const FieldRule& rule, const FounderSettings& settings, RandomStream& stream) {
+    const FounderDraw& founders = rule.founders;
+    if (founders.least != nullptr) {
+        const double least = settings.*founders.least;
+        return least * power(settings.*founders.most / least, stream.uniform());
+    }
+    if (founders.fallback_share > 0.0 && stream.chance(founders.fallback_share))
+        return rule.fallback;
+    const double drawn = stream.uniform(founders.low, founders.high);
+    return founders.negated ? -drawn : drawn;
 }
 
 double perturb(double x, const FieldRule& rule, const GeneStep& step, RandomStream& stream) {

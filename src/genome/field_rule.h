@@ -16,18 +16,29 @@ struct GeneStep {
     double long_share = 0.15;
 };
 
+// The distribution of a number in founders (genome/README.md 4): the rule's fallback for a share of
+// them, otherwise uniform in [low, high) or, where settings bound it, log-uniform between those.
+struct FounderDraw {
+    double low = 0.0;
+    double high = 1.0;
+    double fallback_share = 0.0;
+    bool negated = false;  // the drawn number's negative is taken
+    double FounderSettings::*least = nullptr;
+    double FounderSettings::*most = nullptr;
+};
+
 struct FieldRule {
-    const char* name;    // in messages: "low limit"
-    const char* key;     // in files, below its gene: "limits/0"
-    double low;          // range, both ends included
-    double high;         // excluded if the field wraps
-    double fallback;     // value that replaces a number that is not finite
-    bool wraps = false;  // reduced modulo the width of the range instead of reflected
+    const char* name = "";  // in messages: "low limit"
+    const char* key = "";   // in files, below its gene: "limits/0"
+    double low = 0.0;       // range, both ends included
+    double high = 0.0;      // excluded if the field wraps
+    double fallback = 0.0;  // value that replaces a number that is not finite
+    bool wraps = false;     // reduced modulo the width of the range instead of reflected
     GeneStep step = {};
-    double (*draw)(const FounderSettings& settings, RandomStream& stream) = nullptr;
+    FounderDraw founders = {};
     const char* unit = "";  // "m", "rad" or a plain number
     bool whole = false;     // only whole numbers are in range
-    const char* help = "";  // what it means, where its gene's kind decides that
+    const char* help = "";  // what it means, a sentence
 };
 
 bool in_range(double x, const FieldRule& rule);
@@ -35,6 +46,9 @@ bool in_range(double x, const FieldRule& rule);
 // Returns x if it is in range; otherwise x reflected or wrapped into it, and rounded where only
 // whole numbers are in range, or the fallback if not finite.
 double fit(double x, const FieldRule& rule);
+
+// Returns a number as founders have it; it may be out of range.
+double draw(const FieldRule& rule, const FounderSettings& settings, RandomStream& stream);
 
 // Returns x after one mutation step, inside the range.
 double perturb(double x, const FieldRule& rule, const GeneStep& step, RandomStream& stream);

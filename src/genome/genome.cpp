@@ -1,121 +1,146 @@
 #include "genome/genome.h"
 
 #include "core/hash.h"
+#include "genome/gene_fields.h"
+
+#include <algorithm>
+#include <type_traits>
 
 namespace cambrian {
 namespace {
 
-// Adding 0 maps -0 to 0, since these are equal genes.
-void add_real(Hash64& hash, double number) {
-    hash.add(number + 0.0);
-}
-
-void add_input(Hash64& hash, const InputGene& input) {
-    hash.add_byte(static_cast<std::uint8_t>(input.source.kind));
-    hash.add_byte(input.source.index);
-    hash.add_byte(input.source.child);
-    hash.add_byte(input.source.node);
-    hash.add_byte(input.source.instance);
-    add_real(hash, input.weight);
-}
-
-void add_neurons(Hash64& hash, const std::vector<NeuronGene>& neurons) {
-    hash.add(std::uint64_t{neurons.size()});
-    for (const NeuronGene& neuron : neurons) {
-        hash.add_byte(neuron.function);
-        hash.add(std::uint64_t{neuron.inputs.size()});
-        for (const InputGene& input : neuron.inputs)
-            add_input(hash, input);
+// Adds the fields of genes either of the plane or of space, which come after all others, so that
+// they changed no hash of the plane.
+class GenomeHash {
+public:
+    template <class Gene>
+    void add_fields(const Gene& gene, bool of_space) {
+        visit_fields<Gene>([&](const auto& field) {
+            if ((field.use == FieldUse::kBodyInSpace) != of_space) return;
+            if (!field.later || gene.*field.value != decltype(gene.*field.value){})
+                add(gene.*field.value);
+        });
     }
-}
-
-void add_edge(Hash64& hash, const EdgeGene& edge) {
-    hash.add_byte(edge.target);
-    add_real(hash, edge.position);
-    add_real(hash, edge.angle);
-    add_real(hash, edge.scale);
-    hash.add_byte(edge.reflect ? 1 : 0);
-    hash.add_byte(edge.terminal_only ? 1 : 0);
-}
-
-// A mark that no count of neurons has comes first, so that nodes without organs keep the hash that
-// they had before there were any.
-void add_organs(Hash64& hash, const std::vector<OrganGene>& organs) {
-    if (organs.empty()) return;
-    constexpr std::size_t mark = 0x80;
-    hash.add_byte(static_cast<std::uint8_t>(mark + organs.size()));
-    for (const OrganGene& organ : organs) {
-        hash.add_byte(organ.kind);
-        add_input(hash, organ.input);
-        for (const double parameter : organ.parameters)
-            add_real(hash, parameter);
-    }
-}
-
-void add_node(Hash64& hash, const NodeGene& node) {
-    add_real(hash, node.length);
-    add_real(hash, node.width);
-    hash.add_byte(node.joint);
-    add_real(hash, node.limit_low);
-    add_real(hash, node.limit_high);
-    hash.add_byte(static_cast<std::uint8_t>(node.recursion_limit));
-    hash.add_byte(node.symmetric ? 1 : 0);
-    hash.add_byte(static_cast<std::uint8_t>(node.mirror_axis));
-    if (node.effector_kind != 0) hash.add_byte(node.effector_kind);
-    add_input(hash, node.effector);
-    add_organs(hash, node.organs);
-    add_neurons(hash, node.neurons);
-    hash.add(std::uint64_t{node.edges.size()});
-    for (const EdgeGene& edge : node.edges)
-        add_edge(hash, edge);
-}
-
-// Nothing of the plane, so that its hashes stay.
-void add_space(Hash64& hash, const Genome& genome) {
-    add_real(hash, genome.root_tilt);
-    add_real(hash, genome.root_roll);
-    for (const NodeGene& node : genome.nodes) {
-        add_real(hash, node.depth);
-        for (const DegreeGene& degree : node.further) {
-            add_real(hash, degree.limit_low);
-            add_real(hash, degree.limit_high);
-            add_input(hash, degree.effector);
-        }
-        for (const EdgeGene& edge : node.edges) {
-            for (const double number : {edge.height, edge.tilt, edge.roll})
-                add_real(hash, number);
-            hash.add_byte(edge.reflect_depth ? 1 : 0);
+    void add_space(const Genome& genome) {
+        add_fields(genome, true);
+        for (const NodeGene& node : genome.nodes) {
+            add_fields(node, true);
+            for (const EdgeGene& edge : node.edges)
+                add_fields(edge, true);
         }
     }
+    std::uint64_t value() const { return hash_.value(); }
+
+private:
+    // Adding 0 maps -0 to 0, since these are equal genes.
+    void add(double number) { hash_.add(number + 0.0); }
+    // Indices, flags and whole numbers are below 256.
+    template <class Small>
+    requires std::is_integral_v<Small> || std::is_enum_v<Small>
+    void add(Small number) { hash_.add_byte(static_cast<std::uint8_t>(number)); }
+    void add(const SourceRef& source) {
+        add(source.kind);
+        for (const auto number : {source.index, source.child, source.node, source.instance})
+            add(number);
+    }
+    void add(const NeuronGene& neuron) {
+        add(neuron.function);
+        add(neuron.inputs);
+    }
+    template <class Gene>
+    requires std::is_class_v<Gene>
+    void add(const Gene& gene) { add_fields(gene, false); }
+    template <class Gene>
+    void add(const std::vector<Gene>& genes) {
+        hash_.add(std::uint64_t{genes.size()});
+        for (const Gene& gene : genes)
+            add(gene);
+    }
+    void add(const std::vector<DegreeGene>& degrees) {
+        for (const DegreeGene& degree : degrees)
+            add(degree);
+    }
+    // A mark that no count of neurons has comes first, so that nodes without organs keep the hash
+    // that they had before there were any.
+    void add(const std::vector<OrganGene>& organs) {
+        if (organs.empty()) return;
+        constexpr std::size_t mark = 0x80;
+        add(mark + organs.size());
+        for (const OrganGene& organ : organs) {
+            add(organ.kind);
+            add(organ.input);
+            for (const double parameter : organ.parameters)
+                add(parameter);
+        }
+    }
+
+    Hash64 hash_;
+};
+
+// Counts the fields of the body in which two genes differ; a gene that only one of two bodies has
+// differs in all of them.
+class BodyDifference {
+public:
+    explicit BodyDifference(int dimensions) : dimensions_(dimensions) {}
+
+    template <class Gene>
+    int of_fields(const Gene& a, const Gene* b) const {
+        int count = 0;
+        visit_fields<Gene>([&](const auto& field) {
+            if (field.use == FieldUse::kControl || !field.is_of(dimensions_)) return;
+            count += of_values(a.*field.value, b == nullptr ? nullptr : &(b->*field.value));
+        });
+        return count;
+    }
+
+private:
+    template <class Value>
+    int of_values(const Value& a, const Value* b) const {
+        return b != nullptr && a == *b ? 0 : 1;
+    }
+    int of_values(const NodeGene& a, const NodeGene* b) const { return of_fields(a, b); }
+    int of_values(const DegreeGene& a, const DegreeGene* b) const { return of_fields(a, b); }
+    template <class Gene>
+    int of_values(const std::vector<Gene>& a, const std::vector<Gene>* b) const {
+        const std::size_t both = b == nullptr ? 0 : std::min(a.size(), b->size());
+        const std::vector<Gene>& longer = b != nullptr && b->size() > a.size() ? *b : a;
+        int count = 0;
+        for (std::size_t i = 0; i < longer.size(); ++i) {
+            const Gene* other = i < both ? &(*b)[i] : nullptr;
+            count += of_values(i < both ? a[i] : longer[i], other);
+        }
+        return count;
+    }
+
+    int dimensions_;
+};
+
+template <class Gene>
+bool same_fields(const Gene& a, const Gene& b) {
+    bool same = true;
+    visit_fields<Gene>([&](const auto& field) { same = same && a.*field.value == b.*field.value; });
+    return same;
 }
 
 }  // namespace
 
 bool operator==(const NodeGene& a, const NodeGene& b) {
-    return a.length == b.length && a.width == b.width && a.joint == b.joint &&
-           a.limit_low == b.limit_low && a.limit_high == b.limit_high &&
-           a.recursion_limit == b.recursion_limit && a.symmetric == b.symmetric &&
-           a.mirror_axis == b.mirror_axis && a.effector_kind == b.effector_kind &&
-           a.effector == b.effector && a.organs == b.organs && a.neurons == b.neurons &&
-           a.edges == b.edges && a.depth == b.depth && a.further == b.further;
+    return same_fields(a, b);
 }
 
 bool operator==(const Genome& a, const Genome& b) {
-    return a.nodes == b.nodes && a.brain == b.brain && a.root_angle == b.root_angle &&
-           a.reproduction == b.reproduction && a.root_tilt == b.root_tilt &&
-           a.root_roll == b.root_roll && a.dimensions == b.dimensions;
+    return a.dimensions == b.dimensions && same_fields(a, b);
 }
 
 std::uint64_t genome_hash(const Genome& genome) {
-    Hash64 hash;
-    hash.add(std::uint64_t{genome.nodes.size()});
-    for (const NodeGene& node : genome.nodes)
-        add_node(hash, node);
-    add_neurons(hash, genome.brain);
-    add_real(hash, genome.root_angle);
-    hash.add_byte(genome.reproduction);
-    if (genome.dimensions == 3) add_space(hash, genome);
+    GenomeHash hash;
+    hash.add_fields(genome, false);
+    if (genome.dimensions == 3) hash.add_space(genome);
     return hash.value();
+}
+
+int differing_body_genes(const Genome& a, const Genome& b) {
+    return BodyDifference(a.dimensions).of_fields(a, &b);
 }
 
 Genome lifted(const Genome& planar, double depth) {

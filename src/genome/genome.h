@@ -36,6 +36,11 @@ using GenomePtr = std::shared_ptr<const Genome>;
 // breeding.
 std::uint64_t genome_hash(const Genome& genome);
 
+// Returns the number of genes of parts, edges and root in which two bodies differ; an edge is one
+// gene, and a part that only one of them has counts as all its genes. Neurons, effectors and organs
+// may differ.
+int differing_body_genes(const Genome& a, const Genome& b);
+
 // Returns all faults, one sentence each, with places like JSON pointers; empty if valid
 // (genome/README.md 3).
 std::vector<std::string> validate(const Genome& genome, const KindCatalog& catalog);

@@ -5,7 +5,6 @@
 #include "core/unused_memory.h"
 #include "math/elementary.h"
 #include "preserve/life/feeding.h"
-#include "preserve/life/lineage.h"
 #include "preserve/world/walls.h"
 
 #include <fmt/core.h>
@@ -18,6 +17,7 @@ namespace {
 
 constexpr std::uint64_t kTicksPerRot = 6;       // 0.1 s
 constexpr std::uint64_t kTicksPerRestock = 60;  // 1 s
+constexpr int kGenesOfALineage = 4;             // of the body that may differ from the founder's
 constexpr int kPlaceDraws = 20;                 // for a newcomer between the walls
 constexpr int kPlantPlaceDraws = 20;            // for a plant of a patch, within the world
 constexpr int kCrowdedPlaceDraws = 200;         // of them, if others or walls are in its way

@@ -122,7 +122,8 @@ class Documents(ProgramTest):
                      "share/fish/vendor_completions.d/cambrian.fish",
                      "share/cambrian/creatures/walker.creature.json",
                      "share/cambrian/help/files.md",
-                     "share/cambrian/schema/creature-3.schema.json"]:
+                     "share/cambrian/schema/creature-3.schema.json",
+                     "share/cambrian/schema/creature-4.schema.json"]:
             self.assertGreater((usr / path).stat().st_size, 0, path)
         result = subprocess.run([usr / "bin/cambrian", "manual"], check=True, encoding="utf-8",
                                 stdout=subprocess.PIPE)

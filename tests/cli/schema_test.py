@@ -14,24 +14,30 @@ KEPT = ROOT / "tests/persist/creatures"
 BEYOND = ["E01", "E02", "E09", "E13", "E10_keys", "E07_overflow"]
 
 
-def schema():
-    return json.loads((ROOT / "assets/schema/creature-3.schema.json").read_text())
+def kept_schema(version=3):
+    return (ROOT / f"assets/schema/creature-{version}.schema.json").read_text()
+
+
+def schema(version=3):
+    return json.loads(kept_schema(version))
 
 
 class Schema(ProgramTest):
     @classmethod
     def setUpClass(cls):
         cls.rules = jsonschema.Draft202012Validator(schema())
+        cls.rules_of_space = jsonschema.Draft202012Validator(schema(4))
 
     def documents(self, begin):
         for path in sorted(KEPT.glob(begin + "*.creature.json")):
             if not any(path.name.startswith(name) for name in BEYOND):
                 yield path.name, json.loads(path.read_text(encoding="utf-8-sig"))
 
-    def test_the_kept_schema_is_as_the_program_writes_it(self):
-        kept = (ROOT / "assets/schema/creature-3.schema.json").read_text()
-        self.assertEqual(self.run_well("schema").stdout, kept)
-        jsonschema.Draft202012Validator.check_schema(schema())
+    def test_the_kept_schemas_are_as_the_program_writes_them(self):
+        self.assertEqual(self.run_well("schema").stdout, kept_schema())
+        self.assertEqual(self.run_well("schema", "--dimensions", 3).stdout, kept_schema(4))
+        for version in [3, 4]:
+            jsonschema.Draft202012Validator.check_schema(schema(version))
 
     def test_the_sample_creatures_keep_to_the_schema(self):
         samples = sorted((ROOT / "assets/creatures").glob("*.creature.json"))
@@ -41,10 +47,14 @@ class Schema(ProgramTest):
 
     def test_hundreds_of_random_creatures_keep_to_the_schema(self):
         """Three hundred without a fault mean that fewer than 1 % have one, at 95 % confidence."""
-        creatures = json.loads(subprocess.check_output([RANDOM_CREATURES, "300"]))
-        self.assertEqual(len(creatures), 300)
-        for creature in creatures:
-            self.rules.validate(creature)
+        for rules, others, dimensions in [(self.rules, self.rules_of_space, "2"),
+                                          (self.rules_of_space, self.rules, "3")]:
+            creatures = json.loads(
+                subprocess.check_output([RANDOM_CREATURES, "300", dimensions]))
+            self.assertEqual(len(creatures), 300)
+            for creature in creatures:
+                rules.validate(creature)
+            self.assertFalse(others.is_valid(creatures[0]))
 
     def test_what_the_reader_loads_keeps_to_the_schema(self):
         for begin in ["sound", "W"]:
@@ -69,8 +79,9 @@ class Schema(ProgramTest):
                 explained(rule)
             for each in rules.get("oneOf", []):
                 explained(each)
-        for rules in schema()["$defs"].values():
-            explained(rules)
+        for version in [3, 4]:
+            for rules in schema(version)["$defs"].values():
+                explained(rules)
 
 
 if __name__ == "__main__":

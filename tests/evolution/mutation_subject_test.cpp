@@ -29,7 +29,7 @@ Effects effects_of(const MutationKind& kind) {
         repair(after, catalog);
         if (after == before) continue;
         ++effects.applied;
-        effects.on_body += same_body(before, after) ? 0 : 1;
+        effects.on_body += differing_body_genes(before, after) == 0 ? 0 : 1;
     }
     return effects;
 }

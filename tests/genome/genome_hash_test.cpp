@@ -85,6 +85,37 @@ TEST_CASE("every gene of an organ changes hash and equality", "[genome][hash]") 
     }
 }
 
+TEST_CASE("every gene of space changes hash, equality and, but for effectors, the body",
+          "[genome][hash]") {
+    const std::vector<std::function<void(Genome&)>> changes = {
+        [](Genome& g) { g.nodes[1].further[0].effector.weight += 1e-9; },
+        [](Genome& g) { g.root_tilt += 1e-9; },
+        [](Genome& g) { g.root_roll += 1e-9; },
+        [](Genome& g) { g.nodes[1].depth += 1e-9; },
+        [](Genome& g) { g.nodes[1].further[0].limit_low -= 1e-9; },
+        [](Genome& g) { g.nodes[1].further[0].limit_high += 1e-9; },
+        [](Genome& g) { g.nodes[0].edges[0].height += 1e-9; },
+        [](Genome& g) { g.nodes[0].edges[0].tilt += 1e-9; },
+        [](Genome& g) { g.nodes[0].edges[0].roll += 1e-9; },
+        [](Genome& g) { g.nodes[0].edges[0].reflect_depth ^= true; },
+    };
+    Genome genome = lifted(founder(), 0.0);
+    genome.nodes[1].further.resize(2);
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        Genome other = genome;
+        changes[i](other);
+        INFO("change " << i);
+        CHECK_FALSE(other == genome);
+        CHECK(genome_hash(other) != genome_hash(genome));
+        CHECK(differing_body_genes(genome, other) == (i == 0 ? 0 : 1));
+    }
+    Genome smaller = genome;
+    smaller.nodes.pop_back();
+    const NodeGene& last = genome.nodes.back();
+    CHECK(differing_body_genes(genome, smaller) ==
+          9 + static_cast<int>(2 * last.further.size() + last.edges.size()));
+}
+
 TEST_CASE("minus zero is the same gene as zero", "[genome][hash]") {
     Genome genome = founder();
     genome.root_angle = 0.0;

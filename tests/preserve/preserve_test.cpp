@@ -1,7 +1,6 @@
 #include "persist/creature/creature_file.h"
 #include "persist/settings/settings_file.h"
 #include "preserve/life/founders.h"
-#include "preserve/life/lineage.h"
 #include "support/build_speed.h"
 #include "worlds.h"
 

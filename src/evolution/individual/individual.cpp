@@ -13,13 +13,6 @@ std::size_t gene_count(const Genome& genome) {
     return count;
 }
 
-bool same_part(const NodeGene& a, const NodeGene& b) {
-    return a.length == b.length && a.width == b.width && a.joint == b.joint &&
-           a.limit_low == b.limit_low && a.limit_high == b.limit_high &&
-           a.recursion_limit == b.recursion_limit && a.symmetric == b.symmetric &&
-           a.mirror_axis == b.mirror_axis && a.edges == b.edges;
-}
-
 }  // namespace
 
 double unconfirmed_score(const EvaluationResult& result) {
@@ -48,11 +41,6 @@ std::span<const IndividualPtr> furthest(std::span<const IndividualPtr> ranked) {
         return shortfall(one->result.outcome) != shortfall(ranked.front()->result.outcome);
     });
     return {ranked.begin(), end};
-}
-
-bool same_body(const Genome& a, const Genome& b) {
-    return a.root_angle == b.root_angle &&
-           std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), same_part);
 }
 
 bool better(const Individual& a, const Individual& b) {

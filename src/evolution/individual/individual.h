@@ -55,7 +55,7 @@ struct EvaluationResult {
 struct Individual {
     std::uint64_t uid = 0;   // hash of (seed, generation of birth, child index)
     std::uint32_t born = 0;  // generation of birth
-    // Generation in which its line of descent last changed its body; see same_body().
+    // Generation in which its line of descent last changed its body; see differing_body_genes().
     std::uint32_t body_born = 0;
     std::uint64_t line = 0;  // uid of its founder along the line of mothers
     GenomePtr genome;
@@ -87,10 +87,6 @@ bool fitter(const EvaluationResult& a, const EvaluationResult& b);
 // Returns the creatures at the head of a ranking that came as far as its first: those that
 // completed their trials or, if there are none, those that came nearest.
 std::span<const IndividualPtr> furthest(std::span<const IndividualPtr> ranked);
-
-// Returns whether two genomes agree in all genes of parts, edges and root. Neurons, effectors and
-// organs may differ.
-bool same_body(const Genome& a, const Genome& b);
 
 // Returns whether a ranks before b: the fitter first, then fewer nodes and neurons, then older uid.
 // The order is total and reproducible (evolution/README.md 1).

@@ -25,7 +25,7 @@ template <class Gene>
 void draw_fields(Gene& gene, std::span<const GeneField<Gene>> fields,
                  const FounderSettings& settings, RandomStream& stream) {
     for (const GeneField<Gene>& field : fields)
-        gene.*field.value = fit(field.rule.draw(settings, stream), field.rule);
+        gene.*field.value = fit(draw(field.rule, settings, stream), field.rule);
 }
 
 bool may_draw(SourceKind kind, SourceScope scope, const GenePool& pool) {

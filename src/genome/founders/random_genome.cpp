@@ -55,7 +55,7 @@ Genome draw_genome(const GenePool& pool, RandomStream& stream) {
     for (int i = 0; i < neurons; ++i)
         genome.brain.push_back(random_neuron(SourceScope::kBrain, pool, stream));
     for (const GeneField<Genome>& field : genome_fields(pool.catalog.dimensions))
-        genome.*field.value = field.rule.draw(pool.settings, stream);
+        genome.*field.value = draw(field.rule, pool.settings, stream);
     connect(genome, pool, stream);
     genome.hue = stream.uniform();
     CAMBRIAN_TICK_ASSERT(!genome.nodes.empty(), "a genome has a root");

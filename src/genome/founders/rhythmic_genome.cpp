@@ -82,7 +82,7 @@ Genome rhythmic_genome(const GenePool& pool, RandomStream& stream) {
         suggested_constant(pool.catalog.functions[*oscillator].founder_inputs.front(), stream);
     Genome genome;
     for (const GeneField<Genome>& field : genome_fields(pool.catalog.dimensions))
-        genome.*field.value = field.rule.draw(settings, stream);
+        genome.*field.value = draw(field.rule, settings, stream);
     for (int count = stream.between(least, most); count > 0; --count) {
         NodeGene node = random_node(pool, stream);
         node.recursion_limit =

@@ -89,19 +89,19 @@ void repair_degrees(NodeGene& node, const KindCatalog& catalog) {
 }
 
 // Sets what only bodies in space have to its default.
+template <class Gene>
+void flatten_fields(Gene& gene) {
+    visit_fields<Gene>([&](const auto& field) {
+        if (field.use == FieldUse::kBodyInSpace) gene.*field.value = Gene{}.*field.value;
+    });
+}
+
 void flatten(Genome& genome) {
-    const Genome planar;
-    genome.root_tilt = planar.root_tilt;
-    genome.root_roll = planar.root_roll;
+    flatten_fields(genome);
     for (NodeGene& node : genome.nodes) {
-        node.depth = NodeGene{}.depth;
-        for (EdgeGene& edge : node.edges) {
-            const EdgeGene flat;
-            edge.height = flat.height;
-            edge.tilt = flat.tilt;
-            edge.roll = flat.roll;
-            edge.reflect_depth = flat.reflect_depth;
-        }
+        flatten_fields(node);
+        for (EdgeGene& edge : node.edges)
+            flatten_fields(edge);
     }
 }
 

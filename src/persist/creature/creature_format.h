@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace cambrian::creature_format {
@@ -90,14 +91,6 @@ struct CreatureText {
     std::uint64_t check = 0;
 };
 
-template <class Gene>
-const FieldRule& rule_of(std::span<const GeneField<Gene>> fields, std::string_view key) {
-    const auto found = std::find_if(fields.begin(), fields.end(),
-                                    [&](const auto& field) { return field.rule.key == key; });
-    CAMBRIAN_ASSERT(found != fields.end(), "a field of the gene");
-    return found->rule;
-}
-
 // The archive writes or reads the fields a source of that kind has.
 template <class Archive, class Source>
 void describe_source(Archive& archive, Source& source, SourceScope scope, const KindNames& names) {
@@ -147,31 +140,13 @@ void describe_neuron(Archive& archive, Neuron& neuron, SourceScope scope, const 
     });
 }
 
-template <class Archive, class Edge>
-void describe_edge(Archive& archive, Edge& edge, std::size_t node_count, int dimensions) {
-    archive.type("edge");
-    archive.index("target", edge.target, node_count, node_count == 1 ? "node" : "nodes");
-    archive.real("pos", edge.position, rule_of(edge_fields(3), "pos"));
-    archive.real("angle", edge.angle, rule_of(edge_fields(3), "angle"));
-    archive.real("scale", edge.scale, rule_of(edge_fields(3), "scale"));
-    archive.flag("reflect", edge.reflect);
-    archive.flag("terminalOnly", edge.terminal_only);
-    if (dimensions != 3) return;
-    archive.real("height", edge.height, rule_of(edge_fields(3), "height"));
-    archive.real("tilt", edge.tilt, rule_of(edge_fields(3), "tilt"));
-    archive.real("roll", edge.roll, rule_of(edge_fields(3), "roll"));
-    archive.flag("reflectDepth", edge.reflect_depth);
-}
-
-// A degree of freedom of a joint in space besides the first.
-template <class Archive, class Degree>
-void describe_degree(Archive& archive, Degree& degree, const KindNames& names) {
-    archive.type("degree");
-    archive.pair("limits", degree.limit_low, rule_of(degree_fields(), "limits/0"),
-                 degree.limit_high, rule_of(degree_fields(), "limits/1"));
-    archive.object("effector", JsonLayout::kCompact, [&](Archive& inner) {
-        inner.type("furtherEffector");
-        describe_input(inner, degree.effector, SourceScope::kPart, "source", "weight", names);
+template <class Archive, class Neurons>
+void describe_neurons(Archive& archive, const char* key, Neurons& neurons, SourceScope scope,
+                      const KindNames& names) {
+    const std::size_t most =
+        scope == SourceScope::kPart ? gene_range::kMaxNodeNeurons : gene_range::kMaxBrainNeurons;
+    archive.list(key, neurons, 0, most, JsonLayout::kLines, [&](Archive& inner, auto& neuron) {
+        describe_neuron(inner, neuron, scope, names);
     });
 }
 
@@ -185,58 +160,90 @@ void describe_organ(Archive& archive, Organ& organ, const KindNames& names) {
         archive.real(rules[i].key, organ.parameters[i], rules[i]);
 }
 
-// Returns the name of a kind of organ of which the part has more than it may, or null.
-inline const std::string* doubled_organ(const std::vector<OrganGene>& organs,
-                                        const KindNames& names) {
-    for (std::size_t i = 0; i < organs.size(); ++i) {
+template <class Archive, class Organs>
+void describe_organs(Archive& archive, Organs& organs, const KindNames& names) {
+    archive.optional_list(
+        "organs", organs, gene_range::kMaxOrgans, JsonLayout::kCompact,
+        [&](Archive& inner, auto& organ) { describe_organ(inner, organ, names); });
+    for (std::size_t i = 1; i < organs.size(); ++i) {
         const std::uint8_t kind = organs[i].kind;
-        const auto count =
-            std::count_if(organs.begin(), organs.begin() + static_cast<std::ptrdiff_t>(i),
-                          [&](const OrganGene& organ) { return organ.kind == kind; });
-        if (kind < names.single.size() && names.single[kind] && count > 0)
-            return &names.organs[kind];
+        const bool doubled =
+            names.single.at(kind) &&
+            std::any_of(organs.begin(), organs.begin() + static_cast<std::ptrdiff_t>(i),
+                        [&](const OrganGene& organ) { return organ.kind == kind; });
+        archive.require(!doubled, "E10", "organs", [&] {
+            return fmt::format("over 1 entry \"{}\", limit 1", names.organs[kind]);
+        });
     }
-    return nullptr;
 }
 
-template <class Archive, class Node>
-void describe_node(Archive& archive, Node& node, std::size_t node_count, const KindNames& names) {
-    archive.type("node");
-    if (archive.has("uid")) archive.integer("uid", node.uid, 0, 4294967295.0);
-    archive.real("length", node.length, rule_of(node_fields(3), "length"));
-    archive.real("width", node.width, rule_of(node_fields(3), "width"));
-    archive.choice("joint", node.joint, names.joints, "joint");
-    archive.pair("limits", node.limit_low, rule_of(node_fields(3), "limits/0"), node.limit_high,
-                 rule_of(node_fields(3), "limits/1"));
-    archive.integer("recursionLimit", node.recursion_limit, 1, gene_range::kMaxRecursion);
-    archive.flag("symmetric", node.symmetric);
-    archive.choice("mirrorAxis", node.mirror_axis,
-                   names.dimensions == 3 ? kMirrorAxesOfSpace : kMirrorAxes, "axis");
+template <class Archive, class Gene>
+void describe_effector(Archive& archive, Gene& gene, const KindNames& names) {
     archive.object("effector", JsonLayout::kCompact, [&](Archive& inner) {
-        inner.type("effector");
-        inner.optional_choice("kind", node.effector_kind, names.effectors, "effector");
-        describe_input(inner, node.effector, SourceScope::kPart, "source", "weight", names);
+        inner.type("furtherEffector");
+        if constexpr (requires { gene.effector_kind; }) {
+            inner.type("effector");
+            inner.optional_choice("kind", gene.effector_kind, names.effectors, "effector");
+        }
+        describe_input(inner, gene.effector, SourceScope::kPart, "source", "weight", names);
     });
-    if (names.dimensions == 3) {
-        archive.real("depth", node.depth, rule_of(node_fields(3), "depth"));
-        archive.optional_list(
-            "further", node.further, kMostDegrees - 1, JsonLayout::kCompact,
-            [&](Archive& inner, auto& degree) { describe_degree(inner, degree, names); });
+}
+
+template <class Archive, class Gene, class Number>
+void describe_number(Archive& archive, Gene& gene, Number& number, const FieldRule& rule) {
+    if constexpr (requires { gene.limit_low; }) {  // one list has both limits
+        if (&number == &gene.limit_low) return;
+        if (&number == &gene.limit_high)
+            return archive.pair("limits", gene.limit_low, gene_tables::kLowLimit, number,
+                                gene_tables::kHighLimit);
     }
-    archive.optional_list(
-        "organs", node.organs, gene_range::kMaxOrgans, JsonLayout::kCompact,
-        [&](Archive& inner, auto& organ) { describe_organ(inner, organ, names); });
-    const std::string* doubled = doubled_organ(node.organs, names);
-    archive.require(doubled == nullptr, "E10", "organs",
-                    [&] { return fmt::format("over 1 entry \"{}\", limit 1", *doubled); });
-    archive.list("neurons", node.neurons, 0, gene_range::kMaxNodeNeurons, JsonLayout::kLines,
-                 [&](Archive& inner, auto& neuron) {
-                     describe_neuron(inner, neuron, SourceScope::kPart, names);
-                 });
-    archive.list("edges", node.edges, 0, gene_range::kMaxEdges, JsonLayout::kCompact,
-                 [&](Archive& inner, auto& edge) {
-                     describe_edge(inner, edge, node_count, names.dimensions);
-                 });
+    archive.real(rule.key, number, rule);
+}
+
+// Describes the fields of a node, of an edge or of a degree of freedom by the types of their
+// values.
+template <class Archive, class Gene>
+void describe_fields(Archive& archive, Gene& gene, std::size_t node_count, const KindNames& names) {
+    visit_fields<std::remove_const_t<Gene>>([&](const auto& field) {
+        if (!field.is_of(names.dimensions)) return;
+        auto& value = gene.*field.value;
+        using Value = std::remove_cvref_t<decltype(value)>;
+        const FieldRule& rule = field.rule;
+        const char* key = rule.key;
+        if constexpr (std::is_same_v<Value, double>) {
+            describe_number(archive, gene, value, rule);
+        } else if constexpr (std::is_same_v<Value, bool>) {
+            archive.flag(key, value);
+        } else if constexpr (std::is_same_v<Value, int>) {
+            archive.integer(key, value, rule.low, rule.high);
+        } else if constexpr (std::is_same_v<Value, MirrorAxis>) {
+            const auto& axes = names.dimensions == 3 ? kMirrorAxesOfSpace : kMirrorAxes;
+            archive.choice(key, value, axes, "axis");
+        } else if constexpr (requires {
+                                 gene.target;
+                                 value + 1;
+                             }) {
+            archive.index(key, value, node_count, node_count == 1 ? "node" : "nodes");
+        } else if constexpr (std::is_same_v<Value, std::uint8_t>) {
+            if (!field.later) archive.choice(key, value, names.joints, "joint");
+        } else if constexpr (std::is_same_v<Value, InputGene>) {
+            describe_effector(archive, gene, names);
+        } else if constexpr (std::is_same_v<Value, std::vector<OrganGene>>) {
+            describe_organs(archive, value, names);
+        } else if constexpr (std::is_same_v<Value, std::vector<NeuronGene>>) {
+            describe_neurons(archive, key, value, SourceScope::kPart, names);
+        } else {
+            const bool edges = std::is_same_v<Value, std::vector<EdgeGene>>;
+            const auto describe = [&](Archive& inner, auto& item) {
+                inner.type(edges ? "edge" : "degree");
+                describe_fields(inner, item, node_count, names);
+            };
+            if (edges)
+                archive.list(key, value, 0, gene_range::kMaxEdges, JsonLayout::kCompact, describe);
+            else
+                archive.optional_list(key, value, kMostDegrees - 1, JsonLayout::kCompact, describe);
+        }
+    });
 }
 
 template <class Archive, class Genes>
@@ -247,12 +254,11 @@ void describe_genes(Archive& archive, Genes& genome, const KindNames& names) {
                      const std::size_t count = genome.nodes.empty()
                                                    ? std::size_t{gene_range::kMaxNodes}
                                                    : genome.nodes.size();
-                     describe_node(inner, node, count, names);
+                     inner.type("node");
+                     if (inner.has("uid")) inner.integer("uid", node.uid, 0, 4294967295.0);
+                     describe_fields(inner, node, count, names);
                  });
-    archive.list("brain", genome.brain, 0, gene_range::kMaxBrainNeurons, JsonLayout::kLines,
-                 [&](Archive& inner, auto& neuron) {
-                     describe_neuron(inner, neuron, SourceScope::kBrain, names);
-                 });
+    describe_neurons(archive, "brain", genome.brain, SourceScope::kBrain, names);
 }
 
 // The oldest version of the format that has all genes of a genome.
@@ -279,13 +285,10 @@ void describe_traits(Archive& archive, Genes& genome, const KindNames& names) {
     if (archive.has("hue")) archive.real("hue", genome.hue, kHue);
     if (archive.has("reproduction"))
         archive.choice("reproduction", genome.reproduction, names.reproductions, "breeding method");
-    if (archive.has("rootAngle"))
-        archive.real("rootAngle", genome.root_angle, rule_of(genome_fields(3), "rootAngle"));
-    if (names.dimensions != 3) return;
-    if (archive.has("rootTilt"))
-        archive.real("rootTilt", genome.root_tilt, rule_of(genome_fields(3), "rootTilt"));
-    if (archive.has("rootRoll"))
-        archive.real("rootRoll", genome.root_roll, rule_of(genome_fields(3), "rootRoll"));
+    for (const GeneField<Genome>& field : genome_fields(names.dimensions)) {
+        if (archive.has(field.rule.key))
+            archive.real(field.rule.key, genome.*field.value, field.rule);
+    }
 }
 
 template <class Archive, class Document>

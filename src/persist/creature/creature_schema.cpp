@@ -21,6 +21,7 @@ struct Meaning {
 constexpr std::array kMeanings = {
     Meaning{"format", "The kind of the file."},
     Meaning{"version", "The version of the format."},
+    Meaning{"dimensions", "The dimensions of the space it lives in."},
     Meaning{"name", "The name of the creature; at most 64 bytes of UTF-8."},
     Meaning{"creature.uid", "The number of the creature, as 16 hexadecimal digits."},
     Meaning{"parents", "The numbers of the creatures it was bred from."},
@@ -29,43 +30,16 @@ constexpr std::array kMeanings = {
             "The digest of its line of descent: numbers, generations, methods and genes of its "
             "mothers back to the first."},
     Meaning{"hue", "The creature's hue on the colour circle."},
-    Meaning{"reproduction",
-            "The breeding method of its offspring, if the experiment leaves this to creatures."},
-    Meaning{"rootAngle", "The angle of the first part at birth."},
-    Meaning{"nodes", "The part genes; the first is the root."},
-    Meaning{"brain", "The central neurons."},
     Meaning{"world",
             "The world of a creature that was never scored. A creature with a score has the world "
             "in `scored`."},
     Meaning{"scored", "The trial that scored the creature, with all that is needed to repeat it."},
     Meaning{"check", "The digest of the genes. It does not match if they were edited."},
     Meaning{"node.uid", "The number of the gene, which offspring keep."},
-    Meaning{"length", "The length of the part."},
-    Meaning{"width", "The width of the part."},
-    Meaning{"joint", "The joint to the parent; of no effect on the root."},
-    Meaning{"limits", "The limits of the joint on either side."},
-    Meaning{"recursionLimit", "The number of times that the part may repeat along a limb."},
-    Meaning{"symmetric", "Two connections from one parent become a mirror pair if this is true."},
-    Meaning{"mirrorAxis", "The axis of the parent about which the pair is mirrored."},
-    Meaning{"effector", "The effector that drives the joint."},
-    Meaning{"organs", "The organs of the part; they exist since version 3."},
     Meaning{"organ.kind", "The kind of the organ."},
-    Meaning{"neurons", "The neurons of the part."},
-    Meaning{"edges", "The connections to parts that grow from this one."},
-    Meaning{"target",
-            "The index of the node that grows there; it must be below the number of nodes."},
-    Meaning{"pos", "The position on the parent's outline, as a share of its length."},
-    Meaning{"angle", "The direction of growth, from the outward normal."},
-    Meaning{"scale", "The factor of the size of all that grows there."},
-    Meaning{"reflect", "The handedness of all that grows there is flipped if this is true."},
-    Meaning{"terminalOnly",
-            "The connection is followed only at the end of a repetition if this is true."},
     Meaning{"fn", "The neuron's function."},
     Meaning{"in", "The function's inputs, as many as it has."},
-    Meaning{"source", "The source of the value."},
     Meaning{"from", "The source of the value."},
-    Meaning{"weight", "The factor of the value; for a constant, the value itself."},
-    Meaning{"w", "The factor of the value; for a constant, the value itself."},
     Meaning{"effector.kind", "The kind of the effector."},
     Meaning{"kind", "The kind of the source."},
     Meaning{"k", "The index of the neuron, modulo their number."},
@@ -103,20 +77,38 @@ constexpr std::array kMeanings = {
     Meaning{"verdict", "The verdict of the energy audit."},
 };
 
+template <class... Genes>
+std::string meaning_among_fields_of(std::string_view key) {
+    std::string meaning;
+    const auto look = [&](const auto& field) {
+        if (field.rule.key == key) meaning = field.rule.help;
+    };
+    (visit_fields<Genes>(look), ...);
+    return meaning;
+}
+
 std::string meaning_of(std::string_view type, std::string_view key) {
     const std::string of_type = fmt::format("{}.{}", type, key);
     const auto found = std::find_if(
         kMeanings.begin(), kMeanings.end(),
         [&](const Meaning& meaning) { return meaning.key == key || meaning.key == of_type; });
-    CAMBRIAN_ASSERT(found != kMeanings.end(), "every key has a meaning");
-    return std::string(found->text);
+    if (found != kMeanings.end()) return std::string(found->text);
+    const std::string meaning = meaning_among_fields_of<Genome, NodeGene, EdgeGene, InputGene>(key);
+    CAMBRIAN_ASSERT(!meaning.empty(), "every key has a meaning");
+    return meaning;
+}
+
+int newest_version(int dimensions) {
+    return dimensions == 3 ? kVersionOfSpace : kVersion;
 }
 
 void describe_creature(JsonSchemaWriter& writer, CreatureText& document,
                        const EvolutionKinds& kinds) {
-    writer.constant("format", kFormat);
-    writer.integer("version", kVersion, 1, kVersion);
     const KindNames names = names_of(kinds.creature.catalog);
+    const bool in_space = names.dimensions == 3;
+    writer.constant("format", kFormat);
+    writer.integer("version", 0, in_space ? kVersionOfSpace : 1, newest_version(names.dimensions));
+    if (in_space) writer.integer("dimensions", 3, 3, 3);
     describe_identity(writer, document, names);
     describe_genes(writer, document.genome, names);
     ExperimentSettings settings;
@@ -142,7 +134,8 @@ std::string creature_schema(const EvolutionKinds& kinds) {
     const Json reference = JsonSchemaWriter::object_schema(
         library, [&](JsonSchemaWriter& writer) { describe_creature(writer, document, kinds); });
     Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                   {"$id", fmt::format("urn:cambrian:creature:{}", kVersion)},
+                   {"$id", fmt::format("urn:cambrian:creature:{}",
+                                       newest_version(kinds.creature.catalog.dimensions))},
                    {"title", "Cambrian creature"},
                    {"description",
                     "One creature: its genes, where it comes from, and the trial "

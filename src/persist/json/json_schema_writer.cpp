@@ -132,8 +132,7 @@ void JsonSchemaWriter::pair(const char* key, double /*first*/, const FieldRule& 
         {"prefixItems", Json::array({number_schema(first_rule), number_schema(second_rule)})},
         {"minItems", 2},
         {"maxItems", 2}};
-    put_described(key, with_unit(library_.meaning(type_, key), first_rule.unit), schema,
-                  take_optional(key));
+    put_described(key, with_unit(first_rule.help, first_rule.unit), schema, take_optional(key));
 }
 
 void JsonSchemaWriter::flag(const char* key, bool /*value*/) {

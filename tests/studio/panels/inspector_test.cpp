@@ -2,6 +2,7 @@
 #include "studio/panels/inspector/ancestry_tab.h"
 #include "studio/panels/inspector/brain_tab.h"
 #include "studio/panels/inspector/energy_tab.h"
+#include "studio/panels/inspector/gene_table.h"
 #include "studio/panels/inspector/genotype_tab.h"
 #include "studio/panels/inspector/inspector_panel.h"
 #include "studio/viewer/mutation_words.h"
@@ -154,6 +155,42 @@ TEST_CASE("a neuron of another function gets as many inputs as it needs", "[stud
         test::asked<EditGenes>(run.click("part 1 neuron 0 function=" + sum->label));
     CHECK(edit.genome->nodes[1].neurons[0].inputs.size() == 3);
     CHECK(validate(*edit.genome, catalog).empty());
+}
+
+TEST_CASE("genes of space have rows, and a joint as many degrees as it needs",
+          "[studio][inspector]") {
+    const Kinds& kinds = test::spatial_kinds().creature;
+    Genome genome = lifted(*test::crawler_exhibit().genome(), 0.0);
+    repair(genome, kinds.catalog);
+    EdgeGene& edge = genome.nodes[0].edges[0];
+    for (double* number :
+         {&genome.root_tilt, &genome.root_roll, &edge.height, &edge.tilt, &edge.roll})
+        *number = 0.3;  // not where a click in the middle of a slider puts it
+    NullImGui gui;
+    const auto click = [&](std::size_t node, const std::string& name) {
+        GeneEdit made;
+        gui.click(name, [&] {
+            const GeneEdit edit = gene_table(genome, node, kinds);
+            if (edit.change) made = edit;
+        });
+        REQUIRE(made.change);
+        CHECK(validate(genome, kinds.catalog).empty());
+        return made.change->place;
+    };
+    for (const char* place :
+         {"root tilt", "root roll", "part 0 depth", "part 0 edge 0 height", "part 0 edge 0 tilt",
+          "part 0 edge 0 roll", "part 0 edge 0 reflect depth"})
+        CHECK(click(0, place) == place);
+    CHECK(edge.reflect_depth);
+    gui.click("part 1 joint", [&] { gene_table(genome, 1, kinds); });
+    CHECK(click(1, "part 1 joint=Universal") == "part 1 joint");
+    REQUIRE(genome.nodes[1].further.size() == 1);
+    for (const char* place :
+         {"part 1 degree 2 low limit", "part 1 degree 2 high limit", "part 1 effector 2"})
+        CHECK(click(1, place) == place);
+    CHECK(genome.nodes[1].further[0].limit_low == Approx(-1.3).margin(0.2));
+    gui.click("part 1 mirror axis", [&] { gene_table(genome, 1, kinds); });
+    CHECK(click(1, "part 1 mirror axis=Depth") == "part 1 mirror axis");
 }
 
 TEST_CASE("organs are added to a gene, edited and removed", "[studio][inspector]") {

@@ -43,8 +43,22 @@ std::string pattern_of(const ShownUnit& unit) {
 }
 
 std::string range_words(const FieldRule& rule, const ShownUnit& unit) {
-    return fmt::format("Allowed {} to {}; Ctrl+click to type.", number_words(rule.low, unit),
+    return fmt::format("{}{}Allowed {} to {}; Ctrl+click to type.", rule.help,
+                       *rule.help == '\0' ? "" : "\n", number_words(rule.low, unit),
                        number_words(rule.high, unit));
+}
+
+// Returns a field's name, or what tells more to who has not read of genes.
+std::string label_of(const FieldRule& rule) {
+    constexpr std::array<std::pair<std::string_view, const char*>, 5> plainer = {
+        {{"recursion limit", "Repeats at most"},
+         {"symmetric", "Mirror pairs"},
+         {"reflect", "Mirrored"},
+         {"reflect depth", "Front to back"},
+         {"terminal only", "Only at the end"}}};
+    const auto found = std::find_if(plainer.begin(), plainer.end(),
+                                    [&](const auto& each) { return each.first == rule.name; });
+    return found != plainer.end() ? found->second : capitalized(rule.name);
 }
 
 // Draws the rows and records which gene changed.
@@ -52,15 +66,29 @@ class GeneRows {
 public:
     GeneRows(const Kinds& kinds, GeneEdit& edit) : kinds_(kinds), edit_(edit) {}
 
-    template <class Gene>
-    void field(const std::string& owner, Gene& gene, const GeneField<Gene>& field, bool slides) {
-        number(owner + field.rule.name, capitalized(field.rule.name), gene.*field.value, field.rule,
-               shown_unit(field.rule.unit, slides));
+    // Draws the numbers, flags and choices of a gene's body, unless `left_out` tells to leave one
+    // out.
+    template <class Gene, class LeftOut>
+    void fields(const std::string& owner, Gene& gene, bool slides, LeftOut left_out) {
+        visit_fields<Gene>([&](const auto& field) {
+            const FieldRule& rule = field.rule;
+            if (!field.is_of(kinds_.catalog.dimensions) || left_out(rule)) return;
+            auto& value = gene.*field.value;
+            using Value = std::remove_reference_t<decltype(value)>;
+            const std::string place = owner + rule.name;
+            if constexpr (std::is_same_v<Value, double>)
+                number(place, label_of(rule), value, rule, shown_unit(rule.unit, slides));
+            else if constexpr (std::is_same_v<Value, int>)
+                whole(place, label_of(rule), value, rule);
+            else if constexpr (std::is_same_v<Value, bool>)
+                flag(place, label_of(rule), value, rule.help);
+            else if constexpr (std::is_same_v<Value, MirrorAxis>)
+                choice(place, label_of(rule), value, axes());
+        });
     }
     template <class Gene>
-    void numbers(const std::string& owner, Gene& gene, std::span<const GeneField<Gene>> fields) {
-        for (const GeneField<Gene>& each : fields)
-            field(owner, gene, each, false);
+    void fields(const std::string& owner, Gene& gene, bool slides = false) {
+        fields(owner, gene, slides, [](const FieldRule&) { return false; });
     }
 
     void number(const std::string& place, const std::string& label, double& value,
@@ -78,13 +106,14 @@ public:
         end_slider(place, range_words(rule, unit));
     }
 
-    void whole(const std::string& place, const std::string& label, int& value, int low, int high) {
+    void whole(const std::string& place, const std::string& label, int& value,
+               const FieldRule& rule) {
         begin_row(place, label);
         const std::string before = std::to_string(value);
-        const SliderRange range = {static_cast<double>(low), static_cast<double>(high)};
+        const SliderRange range = {rule.low, rule.high};
         if (value_slider(value, {.range = range, .width = width_, .allowed = range}))
             note(place, before, std::to_string(value));
-        end_slider(place, fmt::format("Allowed {} to {}; Ctrl+click to type.", low, high));
+        end_slider(place, range_words(rule, {"", 1.0}));
     }
 
     void flag(const std::string& place, const std::string& label, bool& value, const char* help) {
@@ -127,7 +156,7 @@ public:
         const std::string label = capitalized(rule.name);
         if (!rule.whole) return number(place, label, value, rule, shown_unit(rule.unit, false));
         int whole_value = static_cast<int>(value);
-        whole(place, label, whole_value, static_cast<int>(rule.low), static_cast<int>(rule.high));
+        whole(place, label, whole_value, rule);
         value = whole_value;
     }
 
@@ -177,6 +206,12 @@ public:
 private:
     static std::string yes_no(bool value) { return value ? "yes" : "no"; }
 
+    std::vector<std::string> axes() const {
+        std::vector<std::string> labels = {"Along", "Across", "Depth"};
+        labels.resize(static_cast<std::size_t>(last_mirror_axis(kinds_.catalog.dimensions)) + 1);
+        return labels;
+    }
+
     void begin_row(const std::string& place, const std::string& label) {
         ImGui::PushID(place.c_str());
         const float full = ImGui::GetContentRegionAvail().x;
@@ -219,27 +254,30 @@ std::vector<std::string> labels_of(const std::vector<Entry>& entries) {
     return labels;
 }
 
+void draw_joint(GeneRows& rows, NodeGene& node, const std::string& owner, const Kinds& kinds) {
+    const std::vector<JointChoice>& joints = kinds.catalog.joints;
+    if (!rows.choice(owner + "joint", "Joint", node.joint, labels_of(joints))) return;
+    const int degrees = std::max(joints[node.joint].degrees_of_freedom, 1);
+    node.further.resize(static_cast<std::size_t>(degrees - 1));
+}
+
 void draw_part(GeneRows& rows, NodeGene& node, std::size_t index, const Kinds& kinds) {
     const std::string owner = fmt::format("part {} ", index);
     const bool slides = kinds.scene.joints[node.joint].motion == JointMotion::kSlide;
-    if (index > 0)
-        rows.choice(owner + "joint", "Joint", node.joint, labels_of(kinds.catalog.joints));
-    for (const GeneField<NodeGene>& field : node_fields(2)) {
-        const bool of_joint = std::string_view(field.rule.unit) == "rad";
-        if (index > 0 || !of_joint) rows.field(owner, node, field, slides);
-    }
-    rows.whole(owner + "recursion limit", "Repeats at most", node.recursion_limit, 1,
-               gene_range::kMaxRecursion);
-    rows.flag(owner + "symmetric", "Mirror pairs", node.symmetric,
-              "Parts that grow twice from one parent are mirror images.");
-    static const std::array<std::string, 2> axes = {"Along", "Across"};
-    rows.choice(owner + "mirror axis", "Mirror axis", node.mirror_axis, axes);
-    if (index > 0) {
-        GeneRows::heading("Effector of its joint");
-        if (kinds.effectors.size() > 1)
-            rows.choice(owner + "effector kind", "Kind", node.effector_kind,
-                        labels_of(kinds.catalog.effectors));
-        rows.input(owner + "effector", node.effector);
+    if (index > 0) draw_joint(rows, node, owner, kinds);
+    rows.fields(owner, node, slides, [&](const FieldRule& rule) {
+        return index == 0 && std::string_view(rule.unit) == "rad";
+    });
+    if (index == 0) return;
+    GeneRows::heading("Effector of its joint");
+    if (kinds.effectors.size() > 1)
+        rows.choice(owner + "effector kind", "Kind", node.effector_kind,
+                    labels_of(kinds.catalog.effectors));
+    rows.input(owner + "effector", node.effector);
+    for (std::size_t i = 0; i < node.further.size(); ++i) {
+        GeneRows::heading(fmt::format("Degree of freedom {}", i + 2));
+        rows.fields(fmt::format("{}degree {} ", owner, i + 2), node.further[i]);
+        rows.input(fmt::format("{}effector {}", owner, i + 2), node.further[i].effector);
     }
 }
 
@@ -334,11 +372,7 @@ void draw_edges(GeneRows& rows, NodeGene& node, std::size_t index) {
         EdgeGene& edge = node.edges[i];
         const std::string owner = fmt::format("part {} edge {} ", index, i);
         GeneRows::heading(fmt::format("Grows gene {}", edge.target));
-        rows.numbers(owner, edge, edge_fields(2));
-        rows.flag(owner + "reflect", "Mirrored", edge.reflect,
-                  "The part that grows here is a mirror image.");
-        rows.flag(owner + "terminal only", "Only at the end", edge.terminal_only,
-                  "The part grows only where the repetition of its parent has ended.");
+        rows.fields(owner, edge);
     }
 }
 
@@ -349,7 +383,7 @@ GeneEdit gene_table(Genome& genome, std::size_t node, const Kinds& kinds) {
     GeneRows rows(kinds, edit);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(8), px(3)));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(8), px(3)));
-    if (node == 0) rows.numbers("", genome, genome_fields(2));
+    if (node == 0) rows.fields("", genome);
     draw_part(rows, genome.nodes[node], node, kinds);
     draw_organs(rows, genome, node, kinds);
     draw_edges(rows, genome.nodes[node], node);
