@@ -2,7 +2,8 @@
 # All the set-up in one command: installs the missing packages, configures, builds, and starts.
 #   sh third_party/bootstrap.sh run [ARGUMENT...]   the studio, or `cambrian ARGUMENT...`
 #   sh third_party/bootstrap.sh test [ARGUMENT...]  the whole test suite, as `ctest ARGUMENT...`
-#   sh third_party/bootstrap.sh packages [GROUP]    the packages only, with those of tests, emulation or benchmarks
+#   sh third_party/bootstrap.sh engine              the engine that `cambrian page` puts into pages
+#   sh third_party/bootstrap.sh packages [GROUP]    the packages only, with those of tests, emulation, engine or benchmarks
 # Works from any folder; what was done before and is still good is not done again.
 set -eu
 
@@ -100,19 +101,27 @@ run_tests() {
     exec ctest --preset release "$@"
 }
 
+build_engine() {
+    install_packages engine
+    configure OFF
+    cmake -B "$build" -DCAMBRIAN_BUILD_ENGINE=ON >&2
+    build --target engine
+}
+
 [ $# -gt 0 ] || set -- help
 command=$1
 shift
 case $command in
 run) run_program "$@" ;;
 test) run_tests "$@" ;;
+engine) build_engine ;;
 packages)
     grep -q "^# -- ${1:-tests}\b" "$root/third_party/packages.txt" ||
-        die "third_party/packages.txt has no group '$1'; it has tests, emulation and benchmarks"
+        die "third_party/packages.txt has no group '$1'; it has tests, emulation, engine and benchmarks"
     install_packages "${1:-tests}"
     ;;
 *)
-    sed -n 's/^# \{0,1\}//; 2,6p' "$0" >&2
+    sed -n 's/^# \{0,1\}//; 2,7p' "$0" >&2
     exit 2
     ;;
 esac

@@ -15,6 +15,7 @@ SubcommandRegistry builtin_subcommands() {
     subcommands.add(export_subcommand());
     subcommands.add(simulate_subcommand());
     subcommands.add(render_subcommand());
+    subcommands.add(page_subcommand());
     subcommands.add(verify_subcommand());
     subcommands.add(rescore_subcommand());
     subcommands.add(lift_subcommand());

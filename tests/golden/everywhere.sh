@@ -12,6 +12,7 @@
 #                is chosen by processor is chosen differently there
 #   aarch64      gcc for 64-bit ARM, less optimised, emulated: other instructions, another libm,
 #                unsigned char
+#   wasm         clang for WebAssembly, run by node: what pages for browsers have
 #
 #   everywhere.sh [PLATFORM...]     all of them, unless some are named
 #
@@ -20,12 +21,12 @@
 #
 #   cmake --build build/release --target record_digests
 #
-# The tools are the group `emulation` of third_party/packages.txt. Builds are kept: `release` and
-# `aarch64` in the folders of their presets, the others in build/everywhere.
+# The tools are the groups `emulation` and `engine` of third_party/packages.txt. Builds are kept: `release` and
+# `aarch64` in the folders of their presets, `wasm` in that of the engine, the others in build/everywhere.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-all=(release debug clang clang-avx2 old-cpu aarch64)
+all=(release debug clang clang-avx2 old-cpu aarch64 wasm)
 
 # build PRESET FOLDER [OPTION...]
 build() {
@@ -52,6 +53,7 @@ build_for() {
     clang) build clang "$own" "$without_window" ;;
     clang-avx2) build clang "$own" "$without_window" -DCMAKE_CXX_FLAGS=-march=x86-64-v3 ;;
     aarch64) build aarch64 build/aarch64 ;;
+    wasm) build engine build/release/engine ;;
     *)
       echo "everywhere.sh: no platform '$1'; there are ${all[*]}" >&2
       return 1
@@ -68,6 +70,10 @@ check_on() {
     clang-avx2) check "$own" native_avx2 ;;
     old-cpu) check build/release qemu-x86_64 -cpu core2duo ;;
     aarch64) check build/aarch64 qemu-aarch64 -L /usr/aarch64-linux-gnu ;;
+    wasm)
+      diff <(node --no-warnings third_party/run_wasi.mjs build/release/engine/bin/cambrian_golden.wasm) tests/golden/digests.txt &&
+        echo 'the digests are as recorded'
+      ;;
   esac
 }
 

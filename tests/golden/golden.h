@@ -34,4 +34,6 @@ void add_trial_digests(Digests& digests);
 // Covers a small evolution on 1, 2 and 7 threads.
 void add_evolution_digests(Digests& digests);
 
+Digests all_digests();
+
 }  // namespace cambrian::golden

@@ -18,31 +18,20 @@ using namespace cambrian;
 constexpr std::size_t kMaxRecord = 1 << 20;  // bytes
 constexpr std::size_t kMaxShown = 10;        // differences
 
-golden::Digests all_digests() {
-    golden::Digests digests;
-    golden::add_elementary_digests(digests);
-    golden::add_neuron_digests(digests);
-    golden::add_genome_digests(digests);
-    golden::add_physics_digests(digests);
-    golden::add_trial_digests(digests);
-    golden::add_evolution_digests(digests);
-    return digests;
-}
-
 int fail(const std::string& message) {
     std::fprintf(stderr, "cambrian_golden: %s\n", message.c_str());
     return 1;
 }
 
 int write(const char* file) {
-    const Status written = write_file(file, golden::text_of(all_digests()));
+    const Status written = write_file(file, golden::text_of(golden::all_digests()));
     return written ? 0 : fail(written.error().message);
 }
 
 int check(const char* file) {
     const auto recorded = read_file(file, kMaxRecord);
     if (!recorded) return fail(recorded.error().message);
-    const golden::Digests digests = all_digests();
+    const golden::Digests digests = golden::all_digests();
     const auto different = golden::differences(*recorded, digests);
     if (different.empty()) {
         std::printf("%zu digests are as recorded\n", digests.size());
@@ -57,7 +46,7 @@ int check(const char* file) {
 
 int run(std::span<char*> arguments) {
     if (arguments.size() == 1)
-        return std::fputs(golden::text_of(all_digests()).c_str(), stdout) < 0;
+        return std::fputs(golden::text_of(golden::all_digests()).c_str(), stdout) < 0;
     const std::string_view command = arguments[1];
     if (arguments.size() == 3 && command == "--write") return write(arguments[2]);
     if (arguments.size() == 3 && command == "--check") return check(arguments[2]);

@@ -23,6 +23,7 @@ namespace output_form {
 inline const OutputForm kCreature{"a creature", {".creature.json", ".json"}};
 inline const OutputForm kTable{"a table", {".csv"}};
 inline const OutputForm kSettings{"a settings file", {".toml"}};
+inline const OutputForm kPage{"a page", {".html"}};
 inline const OutputForm kPicture{"a picture", {".png"}};
 inline const OutputForm kDrawing{"a picture or a clip", {".png", ".mp4", ".gif", ".apng"}};
 }  // namespace output_form

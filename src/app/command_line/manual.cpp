@@ -110,7 +110,7 @@ std::string short_summary(const std::string& summary) {
 }  // namespace
 
 std::string manual_page(const Command& program, std::string_view version) {
-    std::string text = fmt::format(".TH {} 1 \"\" \"{} {}\" \"User Commands\"\n",
+    std::string text = fmt::format(".TH {} 1 \"\" \"{} {}\" \"User Commands\"\n.ad l\n",
                                    upper(program.name), program.name, version);
     text +=
         fmt::format(".SH NAME\n{} \\- {}\n", program.name, plain(short_summary(program.summary)));

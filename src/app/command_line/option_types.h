@@ -7,14 +7,15 @@ namespace cambrian::option_type {
 
 inline constexpr const char* kFile = "FILE";
 inline constexpr const char* kFolder = "FOLDER";
-inline constexpr const char* kCreature = "FILE.creature.json|FILE.card.png";
+inline constexpr const char* kCreature = "FILE.creature.json|FILE.card.png|FILE.html";
 inline constexpr const char* kSettings = "FILE.toml";
 inline constexpr const char* kExperiment = "FILE.cambrian";
 inline constexpr const char* kCreatureOrExperiment =
-    "FILE.creature.json|FILE.card.png|FILE.cambrian";
+    "FILE.creature.json|FILE.card.png|FILE.html|FILE.cambrian";
 inline constexpr const char* kAnyOfOurs =
-    "FILE.creature.json|FILE.card.png|FILE.toml|FILE.cambrian";
+    "FILE.creature.json|FILE.card.png|FILE.html|FILE.toml|FILE.cambrian";
 inline constexpr const char* kTable = "FILE.csv";
+inline constexpr const char* kPage = "FILE.html";
 inline constexpr const char* kPicture = "FILE.png";
 inline constexpr const char* kDrawing = "FILE.png|FILE.mp4|FILE.gif|FILE.apng";
 

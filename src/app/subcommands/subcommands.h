@@ -10,6 +10,7 @@ SubcommandKind completion_subcommand();
 SubcommandKind evolve_subcommand();
 SubcommandKind export_subcommand();
 SubcommandKind manual_subcommand();
+SubcommandKind page_subcommand();
 SubcommandKind preserve_subcommand();
 SubcommandKind render_subcommand();
 SubcommandKind rescore_subcommand();

@@ -10,6 +10,8 @@
 #include "genome/founders/disabled_kinds.h"
 #include "persist/creature/creature_card.h"
 #include "persist/creature/creature_format.h"
+#include "persist/creature/page_document.h"
+#include "persist/creature/png_file.h"
 #include "persist/json/json_reader.h"
 #include "persist/text/digest_text.h"
 
@@ -25,6 +27,8 @@ namespace {
 using namespace creature_format;
 
 constexpr std::size_t kMaxFormat = 4096;  // bytes; only used in a message
+// Bytes that tell pages and pictures from JSON.
+constexpr std::size_t kLongestBeginning = 16;
 
 void check_trial(JsonReader& reader, const ExperimentSettings& settings) {
     const auto excess = trial_excess(settings.world);
@@ -326,9 +330,13 @@ bool same_score(const CreatureDocument& a, const CreatureDocument& b) {
 }
 
 Result<std::string> read_creature_text(const std::filesystem::path& path) {
-    const Result<bool> card_inside = is_card(path);
-    if (!card_inside) return card_inside.error();
-    if (!*card_inside) return read_file(path, JsonLimits{}.bytes);
+    const Result<std::string> start = read_start(path, kLongestBeginning);
+    if (!start) return start.error();
+    if (is_page(*start)) {
+        const Result<std::string> page = read_file(path, kMaxPageBytes);
+        return page ? page_document(*page, path.string()) : page;
+    }
+    if (!is_png(*start)) return read_file(path, JsonLimits{}.bytes);
     const Result<std::string> card = read_file(path, kMaxCardBytes);
     return card ? card_document(*card, path.string()) : card;
 }

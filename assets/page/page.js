@@ -1,0 +1,452 @@
+'use strict';
+// The page: shows a creature that the engine moves, proves that its score is the recorded one, and
+// evolves populations in workers.
+
+const $ = id => document.getElementById(id);
+const view = $('view'), g = view.getContext('2d', { alpha: false }), page = JSON.parse($('page').textContent);
+const dark = matchMedia('(prefers-color-scheme:dark)');
+let module = null;       // the compiled engine
+let engine, body, file;  // of the creature that is on display
+let checks = '';         // check bytes of its trial's ticks, in hexadecimal
+let place = null, camera = null, scale = 1, turn = 0.6;
+let before, now, rest = 0, last = 0, paused = false, held = null, pointer = null, marked = 0;
+
+// ---- the creature on display
+
+// The direction in which a creature travels in its trial.
+function wayOf(start, end, ground) {
+  const d = [end[0] - start[0], end[1] - start[1]], length = Math.hypot(...d);
+  if (length < 0.3) return [1, 0];
+  return ground ? [d[0] < 0 ? -1 : 1, 0] : d.map(v => v / length);
+}
+
+function show(text, recorded) {
+  file = text;
+  const scored = JSON.parse(text).scored;
+  checks = (scored && scored.ticks || []).join('');
+  let told, start, way;
+  if (module) {
+    told = engine.read(text);
+    start = engine.moment().slice();
+    for (let n = 0; n < 4000 && engine.moment()[4] !== 2 && engine.tick() !== 256; n++);
+    way = wayOf(start, engine.moment(), told.ground);
+    engine.begin();
+  } else {
+    told = recorded.told;
+    engine = playRecorded(recorded, told);
+    start = engine.moment().slice();
+    way = recorded.way;
+  }
+  body = bodyOf(told, start, way);
+  place = null;
+  for (const [id, value] of [['gravity', told.gravity], ['friction', told.friction]]) {
+    $(id).value = value;
+    $(id).disabled = !module;
+  }
+  label();
+  begin();
+}
+
+function begin() {
+  engine.begin();
+  now = engine.moment().slice();
+  before = now.slice();
+  rest = 0;
+  camera = null;
+  marked = 0;
+  const strip = $('strip');
+  strip.width = Math.max(1, checks.length / 2);
+  strip.getContext('2d').clearRect(0, 0, strip.width, strip.height);
+}
+
+// One column of the strip for each tick: whether the motion is still the recorded one.
+function mark(check) {
+  if (check > 255 || 2 * marked >= checks.length) return;
+  const same = check === parseInt(checks.substr(2 * marked, 2), 16), g = $('strip').getContext('2d');
+  g.fillStyle = engine.disturbed() ? '#d9a441' : same ? '#2fa860' : '#d0402f';
+  g.fillRect(marked++, 0, 1, 10);
+}
+
+function step() {
+  before.set(now);
+  const check = engine.tick();
+  now.set(engine.moment());
+  mark(check);
+}
+
+// The moment between two ticks, for screens that are not at 60 Hz.
+function between(share) {
+  const row = now.slice();
+  for (let i = 0; i < row.length; i++) row[i] = before[i] + share * (now[i] - before[i]);
+  for (let k = 0; k < body.parts.length; k++) {
+    const o = HEAD + PART * k + 3;
+    let same = 0;
+    for (let j = 0; j < 4; j++) same += before[o + j] * now[o + j];
+    const sign = same < 0 ? -1 : 1;
+    let length = 0;
+    for (let j = 0; j < 4; j++) length += (row[o + j] = before[o + j] + share * (sign * now[o + j] - before[o + j])) ** 2;
+    for (let j = 0; j < 4; j++) row[o + j] /= Math.sqrt(length);
+  }
+  for (const i of [4, 5, 6]) row[i] = now[i];
+  return row;
+}
+
+// ---- the picture
+
+function fit() {
+  const ratio = Math.min(2, devicePixelRatio || 1), w = Math.round(view.clientWidth * ratio), h = Math.round(w * 9 / 16);
+  if (!w || place && place.width === w) return;
+  view.width = w;
+  view.height = h;
+  place = placeFor(body.told, w, h, dark.matches);
+  scale = w / (body.told.ground ? 5.4 : 5) / body.size * (body.space ? 1.5 : 1);
+}
+
+function draw(row, time, passed) {
+  const ground = body.told.ground, [w, h] = [view.width, view.height];
+  const goal = [row[0], ground ? Math.max(0, row[1] - 1.5 * body.size) : row[1], row[2]];
+  if (!camera) camera = goal;
+  const follow = 1 - Math.exp(-5 * passed);
+  camera = camera.map((c, i) => c + follow * (goal[i] - c));
+  const origin = [w / 2 - camera[0] * scale, (ground ? HORIZON : 0.5) * h + camera[1] * scale];
+  const to = p => [origin[0] + p[0] * scale, origin[1] - p[1] * scale];
+  g.setTransform(1, 0, 0, 1, 0, 0);
+  drawPlace(g, place, camera, scale, time);
+  draw.to = to;
+  if (body.space) {
+    draw.view = spaceView([row[0], row[1], row[2]], turn, 0.3, scale, w, h);
+    drawBoxes(g, body, row, draw.view);
+  } else {
+    if (ground) drawGround(row, to, w);
+    if (row[6]) drawLamp(to([row[7], row[8]]), h);
+    drawBody(g, body, row, to, scale, time, pointer || (row[6] ? to([row[7], row[8]]) : null));
+  }
+  if (held && pointer) drawPull(row);
+  g.font = `600 ${Math.round(h * 0.026)}px system-ui,sans-serif`;
+  g.textAlign = 'left';
+  g.fillStyle = 'rgba(255,255,255,0.92)';
+  const phase = engine.recorded ? 'recorded' : row[4] === 1 ? 'settling' : row[4] === 2 ? 'beyond the trial' : '';
+  g.fillText([`${row[3].toFixed(1)} s`, phase, engine.disturbed() ? 'disturbed' : ''].filter(Boolean).join('   '), 0.018 * w, 0.05 * h);
+}
+
+function drawGround(row, to, w) {
+  const y = to([0, 0])[1], h = view.height, metres = scale < 40 ? 5 : 1;
+  g.font = `600 ${Math.round(h * 0.024)}px system-ui,sans-serif`;
+  g.textAlign = 'center';
+  g.fillStyle = 'rgba(255,250,235,0.75)';
+  for (let m = Math.ceil((camera[0] - w / 2 / scale) / metres) * metres; to([m, 0])[0] < w + 40; m += metres) {
+    const x = to([m, 0])[0];
+    g.fillRect(x - 1.5, y - 1, 3, 0.022 * h);
+    g.fillText(`${m} m`, x, y + 0.055 * h);
+  }
+  body.parts.forEach((p, k) => {  // shadows
+    const angle = angleOf(row, k), c = Math.abs(Math.cos(angle)), s = Math.abs(Math.sin(angle)), at = placeOf(row, k);
+    const wide = c * p.half[0] + s * p.half[1], low = at[1] - s * p.half[0] - c * p.half[1], strength = clamp(0.34 - 0.5 * low / body.size, 0, 0.34);
+    if (strength <= 0) return;
+    g.fillStyle = `rgba(20,30,10,${0.55 * strength})`;
+    g.beginPath();
+    g.ellipse(to(at)[0], y + 3, 1.05 * wide * scale, Math.max(2, 0.011 * h), 0, 0, 7);
+    g.fill();
+  });
+}
+
+function drawLamp([x, y], h) {
+  const glow = g.createRadialGradient(x, y, 0, x, y, 0.35 * h);
+  glow.addColorStop(0, 'rgba(255,236,160,0.95)');
+  glow.addColorStop(0.08, 'rgba(255,226,140,0.5)');
+  glow.addColorStop(1, 'rgba(255,226,140,0)');
+  g.fillStyle = glow;
+  g.fillRect(x - h, y - h, 2 * h, 2 * h);
+}
+
+// Where the held point of a part is.
+const gripOf = row => turned(attitudeOf(row, held.part), held.grip).map((v, i) => v + placeOf(row, held.part)[i]);
+
+function drawPull(row) {
+  const from = body.space ? draw.view.see(gripOf(row)) : draw.to(gripOf(row));
+  g.strokeStyle = 'rgba(255,255,255,0.9)';
+  g.lineWidth = 3;
+  g.setLineDash([7, 5]);
+  g.beginPath();
+  g.moveTo(from[0], from[1]);
+  g.lineTo(...pointer);
+  g.stroke();
+  g.setLineDash([]);
+}
+
+function frame(time) {
+  const passed = Math.min(0.1, last ? (time - last) / 1000 : TICK);
+  last = time;
+  try {
+    if (body) {
+      fit();
+      if (!paused) {
+        rest += passed;
+        for (let n = 0; rest >= TICK && n < 6; n++, rest -= TICK) step();
+        if (rest > TICK) rest = 0;
+      }
+      draw(between(rest / TICK), time / 1000, passed);
+    }
+  } catch (error) {
+    fall(error);
+  }
+  requestAnimationFrame(frame);
+}
+
+// Goes on with the recorded motion, if there is one, where the engine fails.
+function fall(error) {
+  const made = page.creatures && page.creatures[0];
+  if (engine && engine.recorded || !made) {
+    body = null;
+    $('verdict').textContent = 'This page does not run here.';
+    $('proof-text').textContent = String(error.message || error);
+    return;
+  }
+  module = null;
+  $('evolution').hidden = true;
+  show($(made.id).textContent, made.recorded);
+  $('verdict').textContent = 'A recorded motion.';
+  $('proof-text').textContent = `The engine does not run here: ${error.message || error}.`;
+  $('hint').textContent = '';
+}
+
+// ---- the proof
+
+function newWorker() {
+  const source = [$('engine-script').textContent, $('worker-script').textContent];
+  return new Worker(URL.createObjectURL(new Blob(source, { type: 'text/javascript' })));
+}
+
+function prove() {
+  const proof = $('proof'), proved = file, worker = newWorker();
+  proof.className = 'card';
+  $('verdict').textContent = 'Computing the complete trial …';
+  $('proof-text').textContent = '';
+  worker.onmessage = ({ data: told }) => {
+    worker.terminate();
+    if (proved !== file) return;
+    if (told.error) return fall(Error(told.error));
+    if (!told.scored) {
+      $('verdict').textContent = 'This creature has no score to check.';
+      return;
+    }
+    proof.className = told.same ? 'card good' : 'card bad';
+    $('verdict').textContent = told.same ? 'The same bits in your browser.' : 'Other bits than in the file.';
+    const ticks = !told.recordedTicks ? 'no ticks recorded' : told.differentTick ? `tick ${told.differentTick} differs` : `all ${told.ticks} ticks equal`;
+    $('proof-text').textContent = `The trial of ${body.told.duration} s took ${told.took.toFixed(0)} ms here: ${told.digest} ${told.same ? '=' : '≠'} ` +
+      `${told.recorded} of the file; ${Number(told.score.toPrecision(6))} ${told.unit}; ${ticks}; simulator ${told.simulator}.`;
+    proof.dataset.result = JSON.stringify(told);
+  };
+  worker.onerror = event => fall(Error(event.message));
+  worker.postMessage({ module, file });
+}
+
+// ---- evolution
+
+const GOALS = { walking: 'walking', jumping: 'jumping', swimming: 'swimming', seeking: 'seeking a lamp', flying: 'flying', 'swimming-3d': 'swimming in space' };
+let running = [];
+
+function startEvolution() {
+  running.forEach(one => one.worker.terminate());
+  running = [];
+  const seed = Math.round(+$('seed').value) || 0, size = clamp(Math.round(+$('size').value) || 100, 10, 1000);
+  const count = clamp(Math.round(+$('workers').value) || 1, 1, 8), goal = $('goal').value;
+  const own = goal === 'page' ? page.evolve.settings
+    : goal === 'swimming-3d' ? 'environment.dimensions=3\ngoal.behavior=swimming\n' : `goal.behavior=${goal}\n`;
+  let best = -Infinity, waiting = null, since = 0;
+  $('evolve').textContent = 'Stop';
+  $('equal').textContent = '';
+  $('progress').textContent = 'The first generation …';
+  for (let i = 0; i < count; i++) {
+    const one = { worker: newWorker(), curve: [], seed: seed + i };
+    running.push(one);
+    one.worker.onerror = event => { $('progress').textContent = `The evolution does not run here: ${event.message}`; };
+    one.worker.onmessage = ({ data: told }) => {
+      if (told.error) {
+        $('progress').textContent = told.error;
+        stopEvolution();
+        return;
+      }
+      one.curve.push(told.best);
+      drawCurves();
+      $('progress').textContent = `Generation ${told.generation}, ${size} creatures, seed ${one.seed}: best ${Number(told.best.toPrecision(4))}, median ${Number(told.median.toPrecision(3))}; ` +
+        `${told.trials} trials in ${told.took.toFixed(0)} ms; digest of the population ${told.digest}`;
+      compare(told, one, goal, size);
+      if (told.best > best) {
+        best = told.best;
+        waiting = { file: told.file, generation: told.generation, seed: one.seed };
+      }
+      if (waiting && !held && (!body || performance.now() - since > 4000)) {
+        showChampion(waiting);
+        waiting = null;
+        since = performance.now();
+      }
+      document.body.dataset.generation = told.generation;
+    };
+    one.worker.postMessage({ module, settings: `${own}run.seed=${one.seed}\npopulation.size=${size}\n` });
+  }
+}
+
+function stopEvolution() {
+  running.forEach(one => one.worker.terminate());
+  running = [];
+  $('evolve').textContent = 'Evolve';
+}
+
+// The program that made the page told the digests of its first generations.
+function compare(told, one, goal, size) {
+  const evolve = page.evolve, expected = evolve.digests[told.generation];
+  if (goal !== 'page' || one.seed !== evolve.seed || size !== evolve.size || !expected) return;
+  one.same = (one.same ?? true) && expected === told.digest;
+  $('equal').textContent = one.same ? `All ${told.generation + 1} generations equal those of the program that made this page.`
+    : 'Another evolution than that of the program that made this page.';
+  $('equal').style.color = one.same ? 'var(--good)' : 'var(--bad)';
+}
+
+const counted = (count, noun) => `${count} ${noun}${count === 1 ? '' : 's'}`;
+
+function showChampion({ file, generation, seed }) {
+  show(file);
+  $('name').textContent = `The best of generation ${generation}`;
+  $('facts').textContent = `${body.told.goal}, ${counted(body.parts.length, 'part')}, ${counted(body.told.neurons, 'neuron')}; evolved in this page from seed ${seed}`;
+  prove();
+}
+
+function drawCurves() {
+  const curve = $('curve'), c = curve.getContext('2d'), all = running.flatMap(one => one.curve), top = Math.max(...all, 1e-9) * 1.08, low = Math.min(...all, 0);
+  curve.width = 2 * curve.clientWidth;
+  curve.height = 180;
+  const length = Math.max(30, ...running.map(one => one.curve.length));
+  running.forEach((one, i) => {
+    c.strokeStyle = oklch(0.13 + 0.17 * i, 0.66, 0.13);
+    c.lineWidth = 4;
+    c.beginPath();
+    one.curve.forEach((v, n) => c[n ? 'lineTo' : 'moveTo'](4 + n * (curve.width - 8) / (length - 1), 174 - 166 * (v - low) / (top - low)));
+    c.stroke();
+  });
+}
+
+// ---- controls
+
+function label() {
+  $('gravity-text').textContent = `${(+$('gravity').value).toFixed(2)} m/s²`;
+  $('friction-text').textContent = (+$('friction').value).toFixed(2);
+}
+
+function pixels(event) {
+  const r = view.getBoundingClientRect();
+  return [(event.clientX - r.left) * view.width / r.width, (event.clientY - r.top) * view.height / r.height];
+}
+
+// The part at these pixels and the point of it, or nothing.
+function partAt(point) {
+  let best = null, least = (body.space ? 40 : 0.3 * body.size * scale);
+  body.parts.forEach((p, k) => {
+    const at = placeOf(now, k), half = halfOf(now, k), q = attitudeOf(now, k), inverse = [q[0], -q[1], -q[2], -q[3]];
+    const world = body.space ? draw.view.at(...point, at) : [(point[0] - draw.to([0, 0])[0]) / scale, (draw.to([0, 0])[1] - point[1]) / scale, 0];
+    const local = turned(inverse, world.map((v, i) => v - at[i])), grip = local.map((v, i) => clamp(v, -half[i], half[i]));
+    if (!body.space) grip[2] = 0;
+    const far = Math.hypot(...local.map((v, i) => body.space || i < 2 ? v - grip[i] : 0)) * scale;
+    if (far < least) [least, best] = [far, { part: k, grip }];
+  });
+  return best;
+}
+
+const pulledTo = point => body.space ? draw.view.at(...point, gripOf(now)) : [(point[0] - draw.to([0, 0])[0]) / scale, (draw.to([0, 0])[1] - point[1]) / scale, 0];
+
+let orbit = null;
+view.addEventListener('pointerdown', event => {
+  if (!body || !module) return;
+  const point = pixels(event);
+  held = partAt(point);
+  view.setPointerCapture(event.pointerId);
+  if (!held) {
+    orbit = body.space ? [point[0], turn] : null;
+    return;
+  }
+  pointer = point;
+  view.className = 'held';
+  engine.hold(held.part, gripOf(now));
+  engine.drag(pulledTo(point));
+});
+view.addEventListener('pointermove', event => {
+  if (orbit) turn = orbit[1] - (pixels(event)[0] - orbit[0]) * 4 / view.width;
+  if (!held) return;
+  pointer = pixels(event);
+  engine.drag(pulledTo(pointer));
+});
+for (const end of ['pointerup', 'pointercancel']) view.addEventListener(end, () => {
+  orbit = null;
+  if (!held) return;
+  held = pointer = null;
+  view.className = '';
+  engine.letGo();
+});
+$('restart').onclick = () => { if (body) { begin(); for (const id of ['gravity', 'friction']) $(id).value = body.told[id]; label(); } };
+$('pause').onclick = () => { paused = !paused; $('pause').textContent = paused ? 'Go on' : 'Pause'; };
+for (const id of ['gravity', 'friction']) $(id).oninput = () => { label(); engine.world(+$('gravity').value, +$('friction').value); };
+$('save').onclick = () => {
+  if (!file) return;
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(new Blob([file], { type: 'application/json' }));
+  link.download = `${(JSON.parse(file).name || 'creature').replace(/[^\w-]+/g, '_')}.creature.json`;
+  link.click();
+};
+$('evolve').onclick = () => running.length ? stopEvolution() : startEvolution();
+dark.onchange = () => { place = null; };
+
+function fillGallery() {
+  const gallery = $('gallery');
+  gallery.hidden = false;
+  page.creatures.forEach((made, i) => {
+    const button = document.createElement('button');
+    button.textContent = made.label;
+    button.setAttribute('aria-pressed', i === 0);
+    button.onclick = () => {
+      for (const other of gallery.children) other.setAttribute('aria-pressed', other === button);
+      show($(made.id).textContent, made.recorded);
+      $('facts').textContent = made.facts;
+      if (module) prove();
+    };
+    gallery.append(button);
+  });
+}
+
+(async () => {
+  try {
+    if (location.hash === '#recorded') throw Error('the address asks for the recorded motion');
+    const text = $('engine').textContent;
+    if (!text.trim()) throw Error('the program that made this page had no engine to put in');
+    module = await compileEngine(text);
+    engine = await startEngine(module);
+  } catch (error) {
+    module = null;
+    fall(error);
+  }
+  if (module && page.creatures.length) {
+    try {
+      show($(page.creatures[0].id).textContent, page.creatures[0].recorded);
+      prove();
+    } catch (error) {
+      fall(error);
+    }
+  }
+  if ($('licences').textContent && typeof DecompressionStream === 'function') {
+    $('notices').hidden = false;
+    $('notices').ontoggle = async () => {
+      $('notice-text').textContent = new TextDecoder().decode(await unpacked($('licences').textContent));
+    };
+  }
+  if (page.creatures.length > 1) fillGallery();
+  if (module && page.evolve) {
+    $('evolution').hidden = false;
+    for (const [id, words] of Object.entries({ page: page.evolve.label, ...GOALS })) $('goal').add(new Option(words, id));
+    $('size').value = page.evolve.size;
+    $('seed').value = page.evolve.seed;
+    if (!page.creatures.length) {
+      $('verdict').textContent = 'Whatever evolves here is checked here.';
+      startEvolution();
+    }
+  }
+  requestAnimationFrame(frame);
+})();

@@ -1,0 +1,251 @@
+#include "persist/page/page_file.h"
+
+#include "core/deflated_text.h"
+#include "core/files/file_io.h"
+#include "core/text/counted.h"
+#include "core/text/number_text.h"
+#include "evolution/evaluation/trials.h"
+#include "evolution/fields/setting_field.h"
+#include "genome/creature_name.h"
+#include "persist/creature/page_document.h"
+#include "persist/json/json_text.h"
+#include "persist/page/described_creature.h"
+#include "persist/text/digest_text.h"
+#include "persist/text/quoted_text.h"
+#include "persist/text/setting_value.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace cambrian {
+namespace {
+
+constexpr std::size_t kMaxPart = 16'000'000;  // bytes of a part of a page
+constexpr std::uint64_t kTicksAFrame = 3;     // of a recorded motion
+constexpr std::uint64_t kMostTicks = 7'200;   // that are recorded
+constexpr double kFarthest = 32'000.0;        // of the numbers of a recorded motion
+constexpr double kTravelled = 0.3;            // m; creatures that move less have no direction
+
+std::string base64(std::string_view bytes) {
+    constexpr std::string_view kDigits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t three = 0;
+        for (std::size_t j = 0; j < 3; ++j)
+            three =
+                three << 8 | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0U);
+        for (std::size_t j = 0; j < 4; ++j)
+            text += i + j > bytes.size() ? '=' : kDigits[three >> (18 - 6 * j) & 63U];
+    }
+    return text;
+}
+
+// Replaces what would end or begin an element of a document.
+std::string escaped(std::string_view text, const std::map<char, std::string_view>& escapes) {
+    std::string result;
+    for (const char c : text) {
+        const auto escape = escapes.find(c);
+        if (escape == escapes.end())
+            result += c;
+        else
+            result += escape->second;
+    }
+    return result;
+}
+
+std::string html_text(std::string_view text) {
+    return escaped(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
+}
+
+// JSON inside a script element. Only texts of JSON can have the character.
+std::string script_json(std::string_view json) {
+    return escaped(json, {{'<', "\\u003c"}});
+}
+
+// The motion of a trial at 20 Hz: places and attitudes of all parts.
+struct Recording {
+    std::vector<double> numbers;  // seven for each part in each frame
+    double farthest = 1.0;        // m
+    Vec3 travelled = Vec3::Zero();
+};
+
+Result<Recording> record(const CreatureDocument& document,
+                         const std::shared_ptr<const Phenotype>& phenotype, const Kinds& kinds) {
+    auto trial = Trial::start(phenotype, kinds, first_trial_world(document.settings()));
+    if (!trial) return trial.error();
+    const PhysicsScene& scene = (*trial)->scene();
+    const Vec3 start = scene.center_of_mass();
+    Recording made;
+    for (bool more = true; more && (*trial)->ticks() < kMostTicks; more = (*trial)->tick()) {
+        if ((*trial)->ticks() % kTicksAFrame != 0) continue;
+        for (std::size_t part = 0; part < phenotype->parts.size(); ++part) {
+            const Pose pose = scene.part_pose(part);
+            for (const double place : pose.position) {
+                made.numbers.push_back(place);
+                made.farthest = std::max(made.farthest, std::abs(place));
+            }
+            made.numbers.push_back(pose.orientation.w());
+            for (const double turn : pose.orientation.vec())
+                made.numbers.push_back(turn);
+        }
+    }
+    made.travelled = scene.center_of_mass() - start;
+    return made;
+}
+
+std::string little_endian(const Recording& recording, double unit) {
+    std::string bytes;
+    bytes.reserve(2 * recording.numbers.size());
+    for (std::size_t i = 0; i < recording.numbers.size(); ++i) {
+        const double scaled = recording.numbers[i] * (i % 7 < 3 ? 1.0 / unit : kFarthest);
+        const auto number = static_cast<std::uint16_t>(
+            static_cast<std::int16_t>(std::clamp(std::round(scaled), -kFarthest, kFarthest)));
+        bytes += static_cast<char>(number & 0xffU);
+        bytes += static_cast<char>(number >> 8U);
+    }
+    return bytes;
+}
+
+std::string way_of(const Vec3& travelled, bool ground) {
+    const double length = std::hypot(travelled.x(), travelled.y());
+    if (length < kTravelled) return "[1, 0]";
+    if (ground) return travelled.x() < 0.0 ? "[-1, 0]" : "[1, 0]";
+    return json_list({real_text(travelled.x() / length), real_text(travelled.y() / length)});
+}
+
+std::string facts_of(const CreatureDocument& document, std::size_t parts) {
+    std::string facts = fmt::format("{}, {}", document.settings().goal, counted(parts, "part"));
+    if (document.scored())
+        facts += fmt::format("; {:.4g} {}", document.score(), document.notes.unit);
+    return facts;
+}
+
+struct PlacedCreature {
+    std::string id;       // of its element
+    std::string element;  // with its file
+    std::string entry;    // in the page's list
+    std::string facts;
+};
+
+Result<PlacedCreature> place(const PageCreature& creature, std::size_t number,
+                             const EvolutionKinds& kinds) {
+    const CreatureDocument& document = creature.document;
+    const auto phenotype = std::make_shared<const Phenotype>(
+        express(document.genome(), kinds.creature, document.settings().expression,
+                document.settings().world.scene));
+    const Result<Recording> recording = record(document, phenotype, kinds.creature);
+    if (!recording) return recording.error();
+    const double unit = recording->farthest / kFarthest;
+    PlacedCreature placed;
+    placed.id = std::string(kCreatureElement);
+    if (number > 0) placed.id += fmt::format("-{}", number + 1);
+    placed.element = fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n",
+                                 placed.id, script_json(write_creature(document, kinds)));
+    placed.facts = facts_of(document, phenotype->parts.size());
+    const std::string recorded = json_object(
+        {{"unit", real_text(unit)},
+         {"way", way_of(recording->travelled, document.settings().world.environment.has_ground)},
+         {"told", described_creature(document, *phenotype, kinds)},
+         {"data", quoted_text(base64(little_endian(*recording, unit)))}});
+    placed.entry = json_object({{"id", quoted_text(placed.id)},
+                                {"label", quoted_text(creature.label)},
+                                {"facts", quoted_text(placed.facts)},
+                                {"recorded", recorded}});
+    return placed;
+}
+
+std::string plain_text(const SettingValue& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    return setting_text(value);
+}
+
+// All settings in lines KEY=VALUE, which the engine takes.
+std::string setting_lines(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
+    std::string lines;
+    for (const SettingField& field : setting_fields(kinds))
+        lines += fmt::format("{}={}\n", path_of(field), plain_text(value_of(field, settings)));
+    return lines;
+}
+
+std::string evolution_entry(const PageEvolution& evolution, const EvolutionKinds& kinds) {
+    std::vector<std::string> digests;
+    for (const std::uint64_t digest : evolution.digests)
+        digests.push_back(quoted_text(digest_text(digest)));
+    const ExperimentSettings& settings = evolution.settings;
+    return json_object({{"settings", quoted_text(setting_lines(settings, kinds))},
+                        {"label", quoted_text(settings.goal + ", as given")},
+                        {"seed", std::to_string(settings.seed)},
+                        {"size", std::to_string(settings.population.size)},
+                        {"digests", json_list(digests)}});
+}
+
+// Fills the places {{name}} of a template.
+std::string filled(std::string_view form,
+                   const std::map<std::string, std::string, std::less<>>& parts) {
+    std::string text;
+    while (true) {
+        const std::size_t begin = form.find("{{");
+        const std::size_t end = begin == std::string_view::npos ? begin : form.find("}}", begin);
+        if (end == std::string_view::npos) return text.append(form);
+        text.append(form.substr(0, begin));
+        const auto part = parts.find(form.substr(begin + 2, end - begin - 2));
+        if (part == parts.end())
+            text.append(form.substr(begin, end + 2 - begin));
+        else
+            text.append(part->second);
+        form.remove_prefix(end + 2);
+    }
+}
+
+Result<std::string> packed(const std::filesystem::path& path) {
+    std::error_code missing;
+    if (path.empty() || !std::filesystem::exists(path, missing)) return std::string();
+    const Result<std::string> bytes = read_file(path, kMaxPart);
+    if (!bytes) return bytes.error();
+    Deflater deflater;
+    return base64(deflater.deflate(*bytes));
+}
+
+}  // namespace
+
+Result<std::string> make_page(const PageContent& content, const PageParts& parts,
+                              const EvolutionKinds& kinds) {
+    std::map<std::string, std::string, std::less<>> texts;
+    for (const char* script : {"engine.js", "worker.js", "body.js", "places.js", "page.js"}) {
+        Result<std::string> text = read_file(parts.folder / script, kMaxPart);
+        if (!text) return text.error();
+        texts[script] = std::move(*text);
+    }
+    const Result<std::string> form = read_file(parts.folder / "page.html", kMaxPart);
+    if (!form) return form.error();
+    for (const auto& [name, path] :
+         {std::pair("engine", parts.engine), std::pair("licences", parts.licences)}) {
+        Result<std::string> text = packed(path);
+        if (!text) return text.error();
+        texts[name] = std::move(*text);
+    }
+    std::vector<std::string> entries;
+    for (std::size_t i = 0; i < content.creatures.size(); ++i) {
+        Result<PlacedCreature> placed = place(content.creatures[i], i, kinds);
+        if (!placed) return placed.error();
+        texts["creatures"] += placed->element;
+        entries.push_back(placed->entry);
+        if (i == 0) texts["facts"] = html_text(placed->facts);
+    }
+    texts["creatures"];
+    texts["facts"];
+    texts["title"] = html_text(content.title);
+    texts["version"] = html_text(content.version);
+    texts["page"] = script_json(json_object(
+        {{"creatures", json_list(entries)},
+         {"evolve", content.evolution ? evolution_entry(*content.evolution, kinds) : "null"}}));
+    return filled(*form, texts);
+}
+
+}  // namespace cambrian

@@ -1,0 +1,71 @@
+"""Pages for browsers: made by the program, opened like cards, computed by the engine under node."""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import unittest
+
+from program import BAD_INPUT, ROOT, ProgramTest
+
+CREATURES = ROOT / "assets/creatures"
+ENGINE = os.environ.get("ENGINE", "")
+SMALL = """[population]
+size = 20
+[trial]
+duration = 4
+"""
+
+
+class Page(ProgramTest):
+    def page(self, *arguments):
+        self.run_well("page", *arguments, "-o", "x.html")
+        return (self.folder / "x.html").read_text()
+
+    def test_a_page_of_a_creature_is_verified_like_its_file(self):
+        self.page(CREATURES / "walker.creature.json")
+        self.assertIn("replay verified", self.run_well("verify", "x.html").stdout)
+        simulated = [json.loads(self.run_well("simulate", file, "--json").stdout)
+                     for file in ["x.html", CREATURES / "walker.creature.json"]]
+        self.assertEqual(simulated[0]["trajectory"], simulated[1]["trajectory"])
+
+    def test_a_page_of_a_run_has_its_champions_the_last_one_first(self):
+        self.write("small.toml", SMALL)
+        self.run_well("evolve", "small.toml", "-n", 15, "-o", "run.cambrian")
+        html = self.page("run.cambrian")
+        page = json.loads(re.search(r'id="page">(.*?)</script>', html, re.S)[1])
+        labels = [creature["label"] for creature in page["creatures"]]
+        self.assertEqual(labels[0], "generation 14")
+        self.assertEqual(labels[-1], "generation 0")
+        self.assertEqual(len(labels), 12)
+        for creature in page["creatures"]:
+            self.assertEqual(html.count(f'id="{creature["id"]}"'), 1)
+        self.assertIn("replay verified", self.run_well("verify", "x.html").stdout)
+
+    def test_what_no_page_can_show_is_refused(self):
+        for arguments in [["page", "-o", "x.html"], ["page", "missing.json", "-o", "x.html"],
+                          ["page", CREATURES / "walker.creature.json", "-o", "x.png"]]:
+            result = self.run_program(*arguments)
+            self.assertEqual(result.returncode, BAD_INPUT, result.stderr)
+            self.assertFalse((self.folder / "x.html").exists())
+        self.write("empty.html", "<!doctype html><p>nothing</p>")
+        result = self.run_program("verify", "empty.html")
+        self.assertEqual(result.returncode, BAD_INPUT)
+        self.assertIn("a page without a creature inside", result.stderr)
+
+    @unittest.skipUnless(os.path.exists(ENGINE) and shutil.which("node"),
+                         "needs the engine of pages and node")
+    def test_the_engine_of_pages_computes_every_sample_and_an_evolution_to_the_last_bit(self):
+        self.write("small.toml", SMALL)
+        html = self.page("--evolve", "small.toml", "--seed", 7)
+        self.assertGreater(len(re.search(r'id="engine">(.*?)</script>', html, re.S)[1]), 300000)
+        done = subprocess.run(["node", ROOT / "tests/page/engine_test.mjs", ENGINE,
+                               self.folder / "x.html", *sorted(CREATURES.glob("*.json"))],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("3 generations evolved", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
