@@ -53,6 +53,8 @@ Attachment attachment(const EdgeGene& edge, const Vec3& parent_size) {
         case Face::kProximal:
             return attachment_of({-half_length, along * parent_width}, kPi + edge.angle);
         case Face::kRight:
+        case Face::kFront:
+        case Face::kBack:
             break;
     }
     return attachment_of({along * parent_length, -half_width}, -0.5 * kPi + edge.angle);

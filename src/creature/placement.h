@@ -48,4 +48,9 @@ struct Placement {
 const Placement& planar_placement();
 const Placement& spatial_placement();
 
+// Turns the start pose of a creature about the axis towards the viewer by `tilt`. In space it is
+// turned about the vertical by `heading` before, so that it is tilted about a horizontal axis of
+// any direction. Angles are in rad.
+void turn_root(Genome& genome, double tilt, double heading);
+
 }  // namespace cambrian

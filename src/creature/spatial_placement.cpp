@@ -45,6 +45,8 @@ OutlinePoint walk_outline(double position, const Vec3& size) {
         case Face::kProximal:
             return {-0.5 * size.x(), along * size.y(), kPi};
         case Face::kRight:
+        case Face::kFront:
+        case Face::kBack:
             break;
     }
     return {along * size.x(), -0.5 * size.y(), -0.5 * kPi};
@@ -107,12 +109,14 @@ PlannedPart solid(const Vec3& center, const Rotation& attitude, const Vec3& size
     return part;
 }
 
+Rotation root_attitude(const Genome& genome) {
+    return turned_about(Vec3::UnitZ(), genome.root_angle) *
+           turned_about(Vec3::UnitY(), -genome.root_tilt) *
+           turned_about(Vec3::UnitX(), genome.root_roll);
+}
+
 PlannedPart place_solid_root(const Vec3& size, const Genome& genome, bool /*mirrored*/) {
-    return solid(Vec3::Zero(),
-                 turned_about(Vec3::UnitZ(), genome.root_angle) *
-                     turned_about(Vec3::UnitY(), -genome.root_tilt) *
-                     turned_about(Vec3::UnitX(), genome.root_roll),
-                 size);
+    return solid(Vec3::Zero(), root_attitude(genome), size);
 }
 
 PlannedPart place_solid_child(const PlannedPart& parent, const MirrorSigns& parent_signs,
@@ -144,6 +148,19 @@ const Placement& spatial_placement() {
     static const Placement placement = {solid_attachment, solid_mirrored,    solid_flipped,
                                         place_solid_root, place_solid_child, is_solid_buried};
     return placement;
+}
+
+void turn_root(Genome& genome, double tilt, double heading) {
+    if (genome.dimensions == 3) {
+        const Rotation attitude = turned_about(Vec3::UnitY(), heading) * root_attitude(genome);
+        const Vec3 along = attitude * Vec3::UnitX();
+        const double flat = std::sqrt(along.x() * along.x() + along.y() * along.y());
+        genome.root_angle = arc_tangent2(along.y(), along.x());
+        genome.root_tilt = arc_tangent2(along.z(), flat);
+        genome.root_roll = wrap_angle(
+            arc_tangent2((attitude * Vec3::UnitY()).z(), (attitude * Vec3::UnitZ()).z()));
+    }
+    genome.root_angle = wrap_angle(genome.root_angle + tilt);
 }
 
 }  // namespace cambrian

@@ -25,6 +25,7 @@ SensorRegistry builtin_sensors() {
 SensorRegistry spatial_sensors() {
     SensorRegistry sensors = builtin_sensors();
     add_second_degree_sensor(sensors);
+    add_flat_contact_sensor(sensors);
     return sensors;
 }
 

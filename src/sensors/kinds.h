@@ -8,6 +8,7 @@ namespace cambrian {
 
 void add_joint_sensor(SensorRegistry& sensors);
 void add_second_degree_sensor(SensorRegistry& sensors);
+void add_flat_contact_sensor(SensorRegistry& sensors);
 void add_contact_sensor(SensorRegistry& sensors);
 void add_accelerometer(SensorRegistry& sensors);
 void add_joint_rate_sensor(SensorRegistry& sensors);

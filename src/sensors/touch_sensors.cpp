@@ -34,9 +34,21 @@ Vec3 contact_spot(std::size_t channel, int handedness) {
         case Face::kProximal:
             return {-kShare, 0.0, 0.0};
         case Face::kRight:
+        case Face::kFront:
+        case Face::kBack:
             break;
     }
     return {0.0, -kShare, 0.0};
+}
+
+// Front and back, which are exchanged where depth is mirrored.
+Face flat_face_of(std::size_t channel, int depth_sign) {
+    return (channel == 0) == (depth_sign > 0) ? Face::kFront : Face::kBack;
+}
+
+double read_flat_contact(const SensorSite& site, double& /*memory*/) {
+    const Face face = flat_face_of(site.channel, site.depth_sign);
+    return site.body.face_touched(site.index, face) ? 1.0 : -1.0;
 }
 
 double read_load(const SensorSite& site, double& /*memory*/) {
@@ -57,6 +69,16 @@ void add_contact_sensor(SensorRegistry& sensors) {
                               {"contact-right", "Contact, right"}},
                  .read = read_contact,
                  .spot = contact_spot});
+}
+
+// The same of the two faces that parts have in space only.
+void add_flat_contact_sensor(SensorRegistry& sensors) {
+    sensors.add(
+        {.id = "flat-contact",
+         .label = "Contact, front and back",
+         .group = "Joint and touch",
+         .channels = {{"contact-front", "Contact, front"}, {"contact-back", "Contact, back"}},
+         .read = read_flat_contact});
 }
 
 // Load: the sum of the normal forces on the part, in units of the creature's weight on Earth.

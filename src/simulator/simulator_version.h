@@ -17,7 +17,10 @@ inline constexpr std::string_view kSimulatorVersion = "1.3";
 
 // That of the simulator of bodies in space, whose numbers begin with its dimensions. Until 3d-1.0
 // it may change with every version of the program.
-inline constexpr std::string_view kSpatialSimulatorVersion = "3d-0.1";
+//
+//     3d-0.1
+//     3d-0.2  ground; stops solved together with contacts
+inline constexpr std::string_view kSpatialSimulatorVersion = "3d-0.2";
 
 constexpr std::string_view simulator_version(int dimensions) {
     return dimensions == 3 ? kSpatialSimulatorVersion : kSimulatorVersion;

@@ -101,18 +101,16 @@ Six solve_root(const double (&factor)[6][6], const Six& bias) {
 void pass_outwards(const Model& model, const Kinematics& k, const Factors& factors,
                    const double* drive, const Six& root_bias, const Six* coriolis,
                    Response& response) {
-    Six acceleration[kMostBodies];
-    acceleration[0] = solve_root(factors.root, root_bias);
-    response.root_turning = acceleration[0].angular;
+    response.body[0] = solve_root(factors.root, root_bias);
     for (int b = 1; b < model.body_count; ++b) {
         const Body& body = model.bodies[b];
-        Six a = acceleration[body.parent];
+        Six a = response.body[body.parent];
         for (int d = body.first_degree; d < body.first_degree + body.degree_count; ++d) {
             if (coriolis != nullptr) a += coriolis[d];
             response.joint[d] = factors.inverse[d] * (drive[d] - dot(factors.push[d], a));
             a += response.joint[d] * k.axis[d];
         }
-        acceleration[b] = a;
+        response.body[b] = a;
     }
 }
 
@@ -148,19 +146,33 @@ void solve_accelerations(const Model& model, const Kinematics& k, const Loads& l
     pass_outwards(model, k, factors, drive, bias[0], k.coriolis, response);
 }
 
-void respond(const Model& model, const Kinematics& k, const Factors& factors, const double* efforts,
+void respond(const Model& model, const Kinematics& k, const Factors& factors, const Push& push,
              Response& response) {
     Six bias[kMostBodies];
     double drive[kMostJointDegrees];
+    for (int b = 0; b < model.body_count; ++b)
+        bias[b] = -1.0 * push.wrench[b];
     for (int b = model.body_count - 1; b > 0; --b) {
         const Body& body = model.bodies[b];
         for (int d = body.first_degree + body.degree_count - 1; d >= body.first_degree; --d) {
-            drive[d] = efforts[d] - dot(k.axis[d], bias[b]);
+            drive[d] = push.effort[d] - dot(k.axis[d], bias[b]);
             bias[b] += drive[d] * factors.inverse[d] * factors.push[d];
         }
         bias[body.parent] += bias[b];
     }
     pass_outwards(model, k, factors, drive, bias[0], nullptr, response);
+}
+
+void add_push(const Model& model, const Push& push, const Response& response, double* speeds) {
+    Six whole;
+    for (int b = 0; b < model.body_count; ++b)
+        whole += push.wrench[b];
+    for (int d = 0; d < model.degree_count; ++d)
+        speeds[d] += response.joint[d];
+    for (int i = 0; i < 3; ++i) {
+        speeds[model.attitude() + i] += whole.angular[i];
+        speeds[model.place() + i] += whole.linear[i] / model.mass;
+    }
 }
 
 }  // namespace cambrian::spatial

@@ -23,18 +23,29 @@ struct Factors {
     double root[6][6] = {};                  // Cholesky factor of the root's articulated inertia
 };
 
-// Accelerations of the joints' coordinates and of the root.
+// Accelerations of the joints' coordinates and of the bodies, at the centre of mass of all; those
+// by gravity are left out.
 struct Response {
     double joint[kMostJointDegrees] = {};
-    Vec3 root_turning = Vec3::Zero();  // rad/s^2
+    Six body[kMostBodies];
+
+    const Vec3& root_turning() const { return body[0].angular; }  // rad/s^2
 };
 
 // Computes the accelerations and keeps the factors.
 void solve_accelerations(const Model& model, const Kinematics& kinematics, const Loads& loads,
                          Factors& factors, Response& response);
 
-// Computes the change of the accelerations by efforts of the joints alone.
+// Efforts of the joints and wrenches on the bodies about the centre of mass of all.
+struct Push {
+    double effort[kMostJointDegrees] = {};
+    Six wrench[kMostBodies];
+};
+
+// Computes the change of the accelerations by a push alone.
 void respond(const Model& model, const Kinematics& kinematics, const Factors& factors,
-             const double* efforts, Response& response);
+             const Push& push, Response& response);
+// Adds what a push does to speeds, or to their rates, of all coordinates.
+void add_push(const Model& model, const Push& push, const Response& response, double* speeds);
 
 }  // namespace cambrian::spatial

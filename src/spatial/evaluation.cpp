@@ -35,7 +35,7 @@ void evaluate(const Model& model, const Forcing& forcing, const Motion& motion, 
     set_coordinate_vector(rate.position + place, drift);
     set_coordinate_vector(rate.speed + attitude, whole.angular);
     set_coordinate_vector(rate.speed + place, forcing.medium.gravity + whole.linear / model.mass);
-    rate.root_turning = evaluation.response.root_turning;
+    rate.root_turning = evaluation.response.root_turning();
 }
 
 double mechanical_energy(const Model& model, const Medium& medium, const Motion& motion,

@@ -12,6 +12,13 @@ struct Medium {
     double drag_quadratic = 0.0;  // kg/m^3
 };
 
+// The half-space y <= 0.
+struct Ground {
+    bool is_there = false;
+    double friction = 0.0;     // Coulomb's coefficient
+    double restitution = 0.0;  // coefficient of restitution, 0 to 1
+};
+
 // The motors' targets ramp from `start` to `end` within a tick.
 struct Drive {
     double start[kMostJointDegrees] = {};
@@ -29,6 +36,7 @@ struct Pull {
 
 struct Forcing {
     Medium medium;
+    Ground ground;
     Drive drive;
     Pull pulls[4];
     int pull_count = 0;

@@ -176,11 +176,11 @@ private:
         Factors factors;
         Response response;
         solve_accelerations(model_, kinematics, {}, factors, response);
-        double efforts[kMostJointDegrees] = {};
+        Push push;
         for (int d = 0; d < model_.degree_count; ++d) {
-            efforts[d] = 1.0;
-            respond(model_, kinematics, factors, efforts, response);
-            efforts[d] = 0.0;
+            push.effort[d] = 1.0;
+            respond(model_, kinematics, factors, push, response);
+            push.effort[d] = 0.0;
             model_.degrees[d].inertia = 1.0 / response.joint[d];
         }
     }

@@ -28,13 +28,19 @@ Medium medium_of(const Environment& environment) {
             environment.viscosity_linear, environment.viscosity_quadratic};
 }
 
+// While motors are off, nothing rubs.
+Ground ground_of(const Environment& environment, bool motors_off) {
+    return {environment.has_ground, motors_off ? 0.0 : environment.friction,
+            environment.elasticity};
+}
+
 class SpatialScene final : public PhysicsScene {
 public:
     SpatialScene(const Model& model, const Environment& environment, const SceneSettings& settings,
                  const Integrator& integrator)
         : motor_frequency_(settings.motor_frequency),
           model_(model),
-          control_(integrator, settings) {
+          control_(model, integrator, settings) {
         state_.motion = rest_motion(model_);
         state_.drive.frequency = motor_frequency_;
         state_.drive.speed_limit = settings.motor_speed_limit;
@@ -67,11 +73,15 @@ public:
     double stretch_rate(std::size_t /*part*/) const override { return 0.0; }
     double stretch_effort(std::size_t /*part*/) const override { return 0.0; }
     Vec3 part_half_extents(std::size_t part) const override { return this->part(part).half; }
-    bool face_touched(std::size_t /*part*/, Face /*face*/) const override { return false; }
+    bool face_touched(std::size_t part, Face face) const override {
+        return ((state_.touched[index(part)] >> static_cast<unsigned>(face)) & 1U) != 0;
+    }
     Vec3 part_specific_force(std::size_t part) const override {
         return state_.specific_force[index(part)].value;
     }
-    double part_load(std::size_t /*part*/) const override { return 0.0; }
+    double part_load(std::size_t part) const override {
+        return model_.measured[index(part)] ? state_.load[part] : 0.0;
+    }
     double mass() const override { return model_.mass; }
     Vec3 center_of_mass() const override { return center(); }
     Vec3 center_of_mass_velocity() const override { return drift(); }
@@ -79,7 +89,9 @@ public:
         return spatial::kinetic_energy(model_, state_.motion, state_.evaluation->kinematics);
     }
     Bounds bounds() const override;
-    double lowest_point() const override { return bounds().low.y(); }
+    double lowest_point() const override {
+        return lowest_corner(model_, state_.motion, state_.evaluation->kinematics);
+    }
 
     void list_joint_coordinates(std::span<const JointDegree> degrees,
                                 std::span<double> coordinates) const override {
@@ -126,8 +138,8 @@ public:
     }
     const SceneAudit& audit() const override { return state_.audit; }
     void restart_audit() override { start_audit(model_, forcing_.medium, state_); }
-    void list_contacts(std::vector<SceneContact>& contacts) const override { contacts.clear(); }
-    void list_impacts(std::vector<SceneImpact>& impacts) const override { impacts.clear(); }
+    void list_contacts(std::vector<SceneContact>& contacts) const override;
+    void list_impacts(std::vector<SceneImpact>& impacts) const override;
     void add_to_digest(Hash64& digest) const override;
 
 private:
@@ -241,6 +253,7 @@ void SpatialScene::use_environment(const Environment& environment) {
         change_density(model_, environment.density);
     }
     forcing_.medium = medium_of(environment);
+    forcing_.ground = ground_of(environment, motors_off_);
     state_.is_current = false;
 }
 
@@ -260,6 +273,7 @@ void SpatialScene::set_environment(const Environment& environment) {
 void SpatialScene::set_motors_off(bool off) {
     motors_off_ = off;
     state_.drive.frequency = off ? 0.0 : motor_frequency_;
+    forcing_.ground = ground_of(environment_, off);
     state_.is_current = false;
 }
 
@@ -344,6 +358,29 @@ bool SpatialScene::begin_at(const SceneMotion& motion) {
     return true;
 }
 
+void SpatialScene::list_contacts(std::vector<SceneContact>& contacts) const {
+    contacts.clear();
+    const Kinematics& k = state_.evaluation->kinematics;
+    for (int c = 0; c < state_.held.count; ++c) {
+        const HeldContacts::Item& held = state_.held.items[c];
+        if (!(held.force.y() > 0.0)) continue;
+        contacts.push_back({center() + k.place[held.body] + k.turn[held.body] * held.point,
+                            Vec3::UnitY(), held.force.y()});
+    }
+}
+
+void SpatialScene::list_impacts(std::vector<SceneImpact>& impacts) const {
+    impacts.clear();
+    for (int i = 0; i < state_.impact_count; ++i) {
+        const NotedImpact& noted = state_.impacts[i];
+        if (!(noted.impulse > 0.0)) continue;
+        impacts.push_back({.point = noted.point / noted.impulse,
+                           .part = noted.part,
+                           .impulse = noted.impulse,
+                           .lost = noted.lost});
+    }
+}
+
 void SpatialScene::add_to_digest(Hash64& digest) const {
     const Motion& motion = state_.motion;
     for (int c = 0; c < model_.coordinate_count(); ++c) {
@@ -357,7 +394,8 @@ void SpatialScene::add_to_digest(Hash64& digest) const {
 Status check_surroundings(const Environment& environment, const SceneSettings& settings) {
     for (const double number :
          {environment.gravity, environment.gravity_direction, environment.viscosity_linear,
-          environment.viscosity_quadratic, settings.motor_speed_limit, settings.motor_frequency}) {
+          environment.viscosity_quadratic, environment.friction, environment.elasticity,
+          settings.motor_speed_limit, settings.motor_frequency}) {
         if (!std::isfinite(number)) return Error{"environment: a number is not finite"};
     }
     for (const double positive :
@@ -365,7 +403,6 @@ Status check_surroundings(const Environment& environment, const SceneSettings& s
         if (!(positive > 0.0))
             return Error{"scene settings: tolerance, contact step and evaluations must be above 0"};
     }
-    if (environment.has_ground) return Error{"environment: there is no ground in space yet"};
     return {};
 }
 

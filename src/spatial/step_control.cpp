@@ -11,7 +11,12 @@
 namespace cambrian::spatial {
 namespace {
 
-constexpr double kMaxStep = 1.0 / 60;  // s
+constexpr double kMaxStep = 1.0 / 60;       // s
+constexpr double kRestStep = 1.0 / 120;     // s; longest step of what nearly rests
+constexpr double kRestRate = 0.2;           // m/s and rad/s; what is slower nearly rests
+constexpr double kMaxDeepening = 4e-3;      // m; of the deepest contact in one step
+constexpr double kMaxTickDeepening = 8e-3;  // m; in one tick
+constexpr int kMaxImpacts = 8;              // per tick; later impacts are treated as slow contacts
 
 bool is_sound(const Model& model, const State& state) {
     const Motion& motion = state.motion;
@@ -56,12 +61,26 @@ void update_audit(const Model& model, const Medium& medium, State& state) {
     audit.gross_motor_work = work[kGrossMotorWork];
     audit.drag_work = work[kDragWork];
     const double explained = work[kMotorWork] + work[kDragWork] + work[kPullWork] +
-                             audit.limit_work + audit.impulse_work;
+                             audit.contact_work + audit.limit_work + audit.impulse_work;
     audit.energy_residual =
         mechanical_energy(model, medium, state.motion, state.evaluation->kinematics) -
         state.energy_reference - explained;
     const double gravity = std::sqrt(dot(medium.gravity, medium.gravity));
     audit.energy_scale = audit.gross_motor_work + model.mass * gravity * step_policy::kScaleHeight;
+}
+
+// Touches the lowest of the three faces that have the corner.
+void note_touch(const Model& model, const Kinematics& k, const Contact& contact, State& state) {
+    const Part& part = model.parts[contact.part()];
+    const Turn axes = k.turn[part.body] * part.turn;
+    int lowest = 0;
+    for (int a = 1; a < 3; ++a) {
+        if (std::fabs(axes.axis[a].y()) > std::fabs(axes.axis[lowest].y())) lowest = a;
+    }
+    constexpr Face kFaces[3][2] = {
+        {Face::kProximal, Face::kDistal}, {Face::kRight, Face::kLeft}, {Face::kBack, Face::kFront}};
+    const Face face = kFaces[lowest][axes.axis[lowest].y() < 0.0 ? 1 : 0];
+    state.touched[contact.part()] |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(face));
 }
 
 }  // namespace
@@ -75,7 +94,8 @@ void start_audit(const Model& model, const Medium& medium, State& state) {
     update_audit(model, medium, state);
 }
 
-StepControl::StepControl(const Integrator& integrator, const SceneSettings& settings)
+StepControl::StepControl(const Model& model, const Integrator& integrator,
+                         const SceneSettings& settings)
     : integrator_(&integrator),
       tolerance_(settings.tolerance),
       contact_step_(settings.contact_step),
@@ -83,7 +103,8 @@ StepControl::StepControl(const Integrator& integrator, const SceneSettings& sett
           step_policy::kUnderflowShare * contact_step_,
           step_policy::kUnderflowStep *
               inverse_root(step_policy::kUsualTolerance / tolerance_, MidpointStep::kErrorOrder))),
-      max_evaluations_(settings.max_evaluations) {}
+      max_evaluations_(settings.max_evaluations),
+      rows_(model) {}
 
 void StepControl::advance(const Model& model, Forcing& forcing, double duration, State& state) {
     forcing.drive = state.drive;
@@ -91,6 +112,9 @@ void StepControl::advance(const Model& model, Forcing& forcing, double duration,
     Tick tick{model, forcing, state, duration};
     const Motion start = state.motion;
     const SceneAudit audit_before = state.audit;
+    std::fill_n(state.touched, kMostParts, std::uint8_t{0});
+    std::fill_n(state.load, kMostParts, 0.0);
+    state.impact_count = 0;
     make_current(tick);
     Vec3 velocity[kMostParts];
     for (int p = 0; p < model.part_count; ++p) {
@@ -118,9 +142,10 @@ void StepControl::advance(const Model& model, Forcing& forcing, double duration,
     state.time += duration;
     std::copy(state.drive.end, state.drive.end + model.degree_count, state.drive.start);
     for (int p = 0; p < model.part_count; ++p) {
-        if (model.measured[p])
-            state.specific_force[p].value =
-                (part_velocity(model, state, p) - velocity[p]) / duration - forcing.medium.gravity;
+        if (!model.measured[p]) continue;
+        state.specific_force[p].value =
+            (part_velocity(model, state, p) - velocity[p]) / duration - forcing.medium.gravity;
+        state.load[p] /= duration;
     }
     note_speeds(model, state);
     update_audit(model, forcing.medium, state);
@@ -128,9 +153,18 @@ void StepControl::advance(const Model& model, Forcing& forcing, double duration,
 
 // Makes one accepted step or one impact.
 SceneStatus StepControl::step(Tick& tick) {
+    State& state = tick.state;
     make_current(tick);
+    if (!tick.detected) detect(tick, state.motion, state.evaluation->kinematics);
+    const bool can_bounce = tick.impacts < kMaxImpacts;
+    if (can_bounce && has_impact()) {
+        apply_impact(tick, tick.forcing.ground.restitution);
+        return SceneStatus::kRunning;
+    }
     bool has_rows = false;
     double h = choose_length(tick, has_rows);
+    const double depth = near_.depth();
+    if (tick.time == 0.0) tick.start_depth = depth;
     switch (attempt(tick, has_rows, h)) {
         case Attempt::kDiverged:
             return SceneStatus::kInvalid;
@@ -141,9 +175,55 @@ SceneStatus StepControl::step(Tick& tick) {
         case Attempt::kAccepted:
             break;
     }
+    detect(tick, result_.end, end_->kinematics);
+    tick.detected = true;
+    if (can_bounce && has_new_impact(near_, rows_)) {
+        accept_part(tick, has_rows, h);
+    } else if (is_too_deep(tick, depth, h)) {
+        ++state.audit.rejections;
+        state.proposed_step = 0.5 * h;
+        tick.detected = false;
+        return SceneStatus::kRunning;
+    } else {
+        accept(tick, has_rows, h);
+    }
     tick.underflows = 0;
-    accept(tick, has_rows, h);
     return SceneStatus::kRunning;
+}
+
+void StepControl::detect(const Tick& tick, const Motion& motion, const Kinematics& kinematics) {
+    if (tick.forcing.ground.is_there)
+        detect_ground(tick.model, motion, kinematics, near_);
+    else
+        near_.count = 0;
+}
+
+bool StepControl::has_impact() const {
+    for (int c = 0; c < near_.count; ++c) {
+        const Contact& contact = near_.items[c];
+        if (contact.gap < kContactBand && contact.closing_speed() > kRestingSpeed) return true;
+    }
+    return false;
+}
+
+// Whether the deepest contact at the attempt's end is much deeper than at its start or the tick's.
+bool StepControl::is_too_deep(const Tick& tick, double start_depth, double h) const {
+    if (h <= step_policy::kHalvingStep || tick.underflows >= step_policy::kMaxUnderflows)
+        return false;
+    const double depth = near_.depth();
+    return depth > start_depth + kMaxDeepening || depth > tick.start_depth + kMaxTickDeepening;
+}
+
+// Whether a body on the ground has nearly come to rest. At 1/60 s some never do.
+bool StepControl::rests(const Tick& tick) const {
+    if (rows_.contact_count() == 0) return false;
+    const State& state = tick.state;
+    const auto slow = [](const Vec3& rate) { return dot(rate, rate) < kRestRate * kRestRate; };
+    for (int d = 0; d < tick.model.degree_count; ++d) {
+        if (std::fabs(state.motion.speed[d]) >= kRestRate) return false;
+    }
+    return slow(state.evaluation->kinematics.spin[0]) &&
+           slow(coordinate_vector(state.motion.speed + tick.model.place()));
 }
 
 void StepControl::make_current(Tick& tick) {
@@ -163,8 +243,11 @@ void StepControl::count_evaluations(Tick& tick, int evaluations) {
 // Divides the rest of the tick evenly, so that no tiny step remains.
 double StepControl::choose_length(Tick& tick, bool& has_rows) {
     double h = std::min(tick.state.proposed_step, kMaxStep);
-    has_rows = limits_.select(tick.model, tick.state.motion, h);
-    if (has_rows) h = std::min(h, contact_step_);
+    const State& state = tick.state;
+    has_rows =
+        rows_.select({tick.model, state.motion, *state.evaluation, tick.forcing.medium.gravity},
+                     near_, state.held, h);
+    if (has_rows) h = std::min(h, rests(tick) ? std::min(contact_step_, kRestStep) : contact_step_);
     if (tick.underflows >= step_policy::kMaxUnderflows) {
         has_rows = false;
         h = std::min(h, step_policy::kNoRowsShare * contact_step_);
@@ -177,7 +260,7 @@ double StepControl::choose_length(Tick& tick, bool& has_rows) {
 StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) {
     State& state = tick.state;
     const int order = has_rows ? MidpointStep::kErrorOrder : integrator_->error_order;
-    if (!has_rows) limits_.clear();
+    if (!has_rows) rows_.clear();
     for (;;) {
         try_step(tick, has_rows, h);
         count_evaluations(tick, result_.evaluations);
@@ -191,7 +274,7 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
                 return std::isfinite(result_.error) ? Attempt::kOverBudget : Attempt::kDiverged;
             if (!has_rows || h >= underflow_step_) continue;
             ++tick.underflows;
-            apply_impact(tick);
+            apply_impact(tick, 0.0);
             state.proposed_step = contact_step_;
             return Attempt::kUnderflow;
         }
@@ -214,49 +297,67 @@ void StepControl::try_step(Tick& tick, bool has_rows, double h) {
         return;
     }
     const MotionRate& prediction = state.has_last_rate ? state.last_rate : state.rate;
-    if (!midpoint_.attempt(system, request, prediction, limits_, *end_, result_))
+    if (!midpoint_.attempt(system, request, prediction, rows_, *end_, result_))
         ++state.audit.fallbacks;
 }
 
-// Stops all joints that close at a stop, without restitution.
-void StepControl::apply_impact(Tick& tick) {
+// Solves the impact of everything that touches.
+void StepControl::apply_impact(Tick& tick, double restitution) {
     State& state = tick.state;
-    if (limits_.select_touched(tick.model, state.motion)) {
-        if (!limits_.solve_impact(tick.model, *state.evaluation)) ++state.audit.fallbacks;
-        double efforts[kMostJointDegrees] = {};
-        limits_.add_efforts(1.0, efforts);
-        Response jump;
-        respond(tick.model, state.evaluation->kinematics, state.evaluation->factors, efforts, jump);
-        double work = 0.0;
-        for (int i = 0; i < limits_.count(); ++i)
-            work += limits_.impulse(i) * (limits_.row(i).rate + 0.5 * limits_.effect(i));
-        for (int d = 0; d < tick.model.degree_count; ++d)
-            state.motion.speed[d] += jump.joint[d];
-        state.audit.impulse_work += work;
-        state.audit.positive_work += std::max(0.0, work);
+    const Model& model = tick.model;
+    if (rows_.select_touched({model, state.motion, *state.evaluation, tick.forcing.medium.gravity},
+                             near_)) {
+        const Rows::Impact impact =
+            rows_.solve_impact(model, tick.forcing.ground.friction, restitution, *state.evaluation);
+        Push push;
+        rows_.add_push(1.0, push);
+        Response response;
+        respond(model, state.evaluation->kinematics, state.evaluation->factors, push, response);
+        add_push(model, push, response, state.motion.speed);
+        state.audit.impulse_work += impact.work;
+        state.audit.positive_work += std::max(0.0, impact.work);
+        state.audit.fallbacks += impact.settled ? 0U : 1U;
+        note_impacts(tick);
     }
     ++state.audit.events;
+    ++tick.impacts;
+    tick.detected = false;
     state.is_current = false;
     state.has_last_rate = false;
 }
 
-// Positive work of stops shows that the step is too long for constant forces. So does a joint that
-// overruns a stop that was not selected. Energy that no work explains shows that it is too long for
-// its motion.
-bool StepControl::must_halve(const Tick& tick, double h) {
-    limit_work_ = 0.0;
-    positive_work_ = 0.0;
-    for (int i = 0; i < limits_.count(); ++i) {
-        const LimitRow& row = limits_.row(i);
-        const double way =
-            result_.end.position[row.degree] - tick.state.motion.position[row.degree];
-        const double work = limits_.impulse(i) / h * row.sign * way;
-        limit_work_ += work;
-        positive_work_ += std::max(0.0, work);
+void StepControl::note_impacts(Tick& tick) {
+    State& state = tick.state;
+    const Kinematics& k = state.evaluation->kinematics;
+    const Vec3 center = coordinate_vector(state.motion.position + tick.model.place());
+    for (int c = 0; c < rows_.contact_count(); ++c) {
+        const Contact& contact = rows_.contact(c);
+        const double impulse = rows_.normal_impulse(c);
+        note_touch(tick.model, k, contact, state);
+        state.load[contact.part()] += impulse;
+        NotedImpact* const end = state.impacts + state.impact_count;
+        NotedImpact* noted = std::find_if(
+            state.impacts, end, [&](const NotedImpact& each) { return each.body == contact.body; });
+        if (noted == end) {
+            if (state.impact_count == static_cast<int>(kMostImpacts)) continue;
+            ++state.impact_count;
+            *noted = {.body = contact.body, .part = contact.part()};
+        }
+        noted->impulse += impulse;
+        noted->lost += rows_.impact_loss(c);
+        noted->point += impulse * (center + place_of(k, contact));
     }
+}
+
+// Positive work of contacts and stops shows that the step is too long for constant forces. So does
+// a joint that overruns a stop that was not selected. Energy that no work explains shows that it is
+// too long for its motion.
+bool StepControl::must_halve(const Tick& tick, double h) {
+    work_ = rows_.work(tick.model, tick.state.motion, tick.state.evaluation->kinematics,
+                       result_.end, end_->kinematics, h);
     if (h <= step_policy::kHalvingStep) return false;
     const double weight = tick.model.mass * kEarthGravity;
-    if (positive_work_ > step_policy::kStepWorkAllowance * weight) return true;
+    if (work_.positive > step_policy::kStepWorkAllowance * weight) return true;
     if (result_.error > step_policy::kGainlessError &&
         unexplained_gain(tick) > step_policy::kStepGainAllowance * weight)
         return true;
@@ -273,7 +374,7 @@ double StepControl::unexplained_gain(const Tick& tick) const {
                   mechanical_energy(tick.model, medium, state.motion, state.evaluation->kinematics);
     for (const Work w : {kMotorWork, kDragWork, kPullWork})
         gain -= result_.end.work[w] - state.motion.work[w];
-    return gain - limit_work_;
+    return gain - work_.contact - work_.limit;
 }
 
 // Proposes the next step's length after an accepted step, which may have been truncated.
@@ -289,11 +390,8 @@ void StepControl::propose_length(double h, int order, double& proposed) const {
 
 void StepControl::accept(Tick& tick, bool has_rows, double h) {
     State& state = tick.state;
-    state.audit.limit_work += limit_work_;
-    state.audit.positive_work += positive_work_;
-    state.audit.max_limit_overrun =
-        std::max(state.audit.max_limit_overrun, limit_overrun(tick.model, result_.end));
-    ++state.audit.steps;
+    add_to_audit(tick, 1.0);
+    rows_.store(h, state.held);
     state.motion = result_.end;
     restart_chart(tick.model, state.motion);
     state.evaluation.swap(end_);
@@ -304,6 +402,50 @@ void StepControl::accept(Tick& tick, bool has_rows, double h) {
     state.has_last_rate = has_rows;
     if (has_rows) state.last_rate = midpoint_.mean_rate();
     tick.time += h;
+}
+
+// Accepts the step up to its first impact.
+void StepControl::accept_part(Tick& tick, bool has_rows, double h) {
+    State& state = tick.state;
+    const StepRequest request{state.motion, state.rate, tick.time, h, tolerance_};
+    if (has_rows) {
+        midpoint_.rates_at_ends(tick.model, request, result_, first_, last_);
+    } else {
+        first_ = state.rate;
+        last_ = result_.end_rate;
+    }
+    const StepEnds ends{state.motion, first_, result_.end, last_, h};
+    const double share = find_impact(tick.model, ends, rows_, near_, part_, end_->kinematics);
+    work_ = rows_.work(tick.model, state.motion, state.evaluation->kinematics, part_,
+                       end_->kinematics, h);
+    result_.end = part_;
+    add_to_audit(tick, share);
+    rows_.store(h, state.held);
+    state.motion = part_;
+    restart_chart(tick.model, state.motion);
+    state.is_current = false;
+    state.has_last_rate = false;
+    tick.time += share * h;
+}
+
+// Adds the accepted share of a step.
+void StepControl::add_to_audit(Tick& tick, double share) {
+    State& state = tick.state;
+    SceneAudit& audit = state.audit;
+    audit.contact_work += work_.contact;
+    audit.limit_work += work_.limit;
+    audit.positive_work += work_.positive;
+    audit.max_penetration = std::max(audit.max_penetration, near_.depth());
+    audit.max_limit_overrun =
+        std::max(audit.max_limit_overrun, limit_overrun(tick.model, result_.end));
+    ++audit.steps;
+    for (int c = 0; c < rows_.contact_count(); ++c) {
+        const Contact& contact = rows_.contact(c);
+        const double impulse = rows_.normal_impulse(c);
+        if (contact.gap >= kContactBand && !(impulse > 0.0)) continue;
+        note_touch(tick.model, state.evaluation->kinematics, contact, state);
+        state.load[contact.part()] += share * impulse;
+    }
 }
 
 }  // namespace cambrian::spatial

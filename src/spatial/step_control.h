@@ -1,13 +1,23 @@
 #pragma once
 
-// The time loop of one tick: stops, attempts of steps, acceptance, energy audit
-// (planar/README.md 15, 16).
+// The time loop of one tick: contacts and stops, attempts of steps, acceptance, impacts, energy
+// audit (planar/README.md 15, 16).
 
 #include "spatial/steps.h"
+#include "spatial/time_of_impact.h"
 #include "world/physics_scene.h"
 #include "world/scene_settings.h"
 
 namespace cambrian::spatial {
+
+// The impacts of a body on the ground in one tick.
+struct NotedImpact {
+    int body = 0;
+    int part = 0;               // that of the first contact
+    double impulse = 0.0;       // N s, sum of the normal impulses
+    double lost = 0.0;          // J, kinetic energy
+    Vec3 point = Vec3::Zero();  // m, world; sum weighted by the impulse
+};
 
 // All data of a scene that change with time; a copy is a saved state.
 struct State {
@@ -30,11 +40,17 @@ struct State {
     OwnedEvaluation evaluation;
     MotionRate rate;
     bool is_current = false;  // whether these two are those of the motion
+    HeldContacts held;        // of the last step
+    // Of the last tick:
+    std::uint8_t touched[kMostParts] = {};  // bit of every Face
+    double load[kMostParts] = {};  // N, mean of the normal forces; within a tick N s so far
+    int impact_count = 0;
+    NotedImpact impacts[kMostImpacts];
 };
 
 class StepControl {
 public:
-    StepControl(const Integrator& integrator, const SceneSettings& settings);
+    StepControl(const Model& model, const Integrator& integrator, const SceneSettings& settings);
 
     // Advances the state by one tick (s); its status says whether that succeeded.
     void advance(const Model& model, Forcing& forcing, double duration, State& state);
@@ -44,9 +60,12 @@ private:
         const Model& model;
         const Forcing& forcing;
         State& state;
-        double length = 0.0;  // s
-        double time = 0.0;    // s, since its start
-        int underflows = 0;   // in a row
+        double length = 0.0;       // s
+        double time = 0.0;         // s, since its start
+        double start_depth = 0.0;  // m; of the deepest contact
+        int impacts = 0;
+        int underflows = 0;     // in a row
+        bool detected = false;  // whether near_ has the contacts of the present state
     };
     enum class Attempt : unsigned char { kAccepted, kUnderflow, kDiverged, kOverBudget };
 
@@ -56,23 +75,33 @@ private:
     double choose_length(Tick& tick, bool& has_rows);
     Attempt attempt(Tick& tick, bool has_rows, double& h);
     void try_step(Tick& tick, bool has_rows, double h);
-    void apply_impact(Tick& tick);
+    void apply_impact(Tick& tick, double restitution);
+    void note_impacts(Tick& tick);
+    void detect(const Tick& tick, const Motion& motion, const Kinematics& kinematics);
+    bool has_impact() const;
+    bool rests(const Tick& tick) const;
+    bool is_too_deep(const Tick& tick, double start_depth, double h) const;
     bool must_halve(const Tick& tick, double h);
     double unexplained_gain(const Tick& tick) const;
     void propose_length(double h, int order, double& proposed) const;
     void accept(Tick& tick, bool has_rows, double h);
+    void accept_part(Tick& tick, bool has_rows, double h);
+    void add_to_audit(Tick& tick, double share);
 
     const Integrator* integrator_;
     double tolerance_;
-    double contact_step_;     // s; longest step at a stop
-    double underflow_step_;   // s; shorter steps at a stop count as an underflow
+    double contact_step_;     // s; longest step with rows
+    double underflow_step_;   // s; shorter steps with rows count as an underflow
     double max_evaluations_;  // a simulated second
-    LimitRows limits_;
+    ContactSet near_;
+    Rows rows_;
     MidpointStep midpoint_;
     OwnedEvaluation end_;  // of the present attempt
     StepResult result_;
-    double limit_work_ = 0.0;     // J, of the present attempt
-    double positive_work_ = 0.0;  // J
+    RowWork work_;  // of the present attempt
+    // Of a step that an impact ends: the rates at its ends, and the motion where it happens.
+    MotionRate first_, last_;
+    Motion part_;
 };
 
 // Restarts the audit at the present state, whose evaluation must be current.

@@ -3,6 +3,7 @@
 #include "core/assert.h"
 #include "dynamics/tableaus.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cambrian::spatial {
@@ -143,35 +144,14 @@ void accelerate(const Model& model, const Motion& start, const Vec3& root_spin, 
                           time * (root_spin + (0.5 * time) * rate.root_turning));
 }
 
-// Changes of the joints' and the root's speeds.
-struct Change {
-    double joint[kMostJointDegrees];
-    Vec3 root;
-
-    void add(const Model& model, const Response& response) {
-        for (int d = 0; d < model.degree_count; ++d)
-            joint[d] += response.joint[d];
-        root += response.root_turning;
-    }
-};
-
 // Adds what the damping of implicit motors makes of a change of speeds.
 void damp(const Model& model, const Evaluation& middle, const Change& change, Change& error) {
-    double efforts[kMostJointDegrees];
+    Push push;
     for (int d = 0; d < model.degree_count; ++d)
-        efforts[d] = -middle.loads.damping[d] * change.joint[d];
+        push.effort[d] = -middle.loads.damping[d] * change.joint[d];
     Response response;
-    respond(model, middle.kinematics, middle.factors, efforts, response);
-    error.add(model, response);
-}
-
-// Takes away what the active rows of stops do not let happen.
-void take_absorbed(const Model& model, const Evaluation& middle, LimitRows& limits, Change& error) {
-    double efforts[kMostJointDegrees] = {};
-    if (!limits.absorb(error.joint, efforts)) return;
-    Response response;
-    respond(model, middle.kinematics, middle.factors, efforts, response);
-    error.add(model, response);
+    respond(model, middle.kinematics, middle.factors, push, response);
+    error.add(model, response, push);
 }
 
 }  // namespace
@@ -181,30 +161,31 @@ std::span<const Integrator> integrators() {
 }
 
 bool MidpointStep::attempt(const MotionSystem& system, const StepRequest& request,
-                           const MotionRate& prediction, LimitRows& limits, Evaluation& end,
+                           const MotionRate& prediction, Rows& rows, Evaluation& end,
                            StepResult& result) {
     const Model& model = system.model;
+    const Forcing& forcing = system.forcing;
     const double h = request.length;
     // The chart starts at 0, so its rate is the root's spin.
     const Vec3 spin = coordinate_vector(request.start_rate.position + model.attitude());
     accelerate(model, request.start, spin, 0.5 * h, prediction, predicted_);
     const ImplicitStage stage{request.start, 0.5 * h};
     system.evaluate(predicted_, request.time + 0.5 * h, middle_, middle_rate_, &stage);
-    const bool settled = limits.solve_step(model, middle_, h);
+    const bool settled =
+        rows.solve_step(model, forcing.medium.gravity, forcing.ground.friction, middle_, h);
     mean_ = middle_rate_;
-    if (limits.holds_something()) {
-        double efforts[kMostJointDegrees] = {};
-        limits.add_efforts(1.0 / h, efforts);
+    if (rows.holds_something()) {
+        Push push;
+        rows.add_push(1.0 / h, push);
         Response response;
-        respond(model, middle_.kinematics, middle_.factors, efforts, response);
-        for (int d = 0; d < model.degree_count; ++d)
-            mean_.speed[d] += response.joint[d];
-        mean_.root_turning += response.root_turning;
+        respond(model, middle_.kinematics, middle_.factors, push, response);
+        add_push(model, push, response, mean_.speed);
+        mean_.root_turning += response.root_turning();
     }
     accelerate(model, request.start, spin, h, mean_, result.end);
     system.evaluate(result.end, request.time + h, end, result.end_rate);
     integrate_works(model, request, result);
-    result.error = estimate_error(model, request, limits, result);
+    result.error = estimate_error(model, request, rows, result);
     result.evaluations = 2;
     return settled;
 }
@@ -216,8 +197,7 @@ void MidpointStep::integrate_works(const Model& model, const StepRequest& reques
     double net = 0.0;
     double gross = 0.0;
     for (int d = 0; d < model.degree_count; ++d) {
-        const double effort = middle_.loads.effort[d] - middle_.loads.damping[d] * mean_.speed[d];
-        const double work = effort * (result.end.position[d] - request.start.position[d]);
+        const double work = effort(d) * (result.end.position[d] - request.start.position[d]);
         net += work;
         gross += std::fabs(work);
     }
@@ -231,11 +211,34 @@ void MidpointStep::integrate_works(const Model& model, const StepRequest& reques
                              result.end_rate.power[w]);
 }
 
-double MidpointStep::estimate_error(const Model& model, const StepRequest& request,
-                                    LimitRows& limits, const StepResult& result) const {
+void MidpointStep::rates_at_ends(const Model& model, const StepRequest& request,
+                                 const StepResult& result, MotionRate& start,
+                                 MotionRate& end) const {
+    start = request.start_rate;
+    end = result.end_rate;
+    const auto give_powers = [&](const Motion& motion, MotionRate& rate) {
+        double net = 0.0;
+        double gross = 0.0;
+        for (int d = 0; d < model.degree_count; ++d) {
+            const double power = effort(d) * motion.speed[d];
+            net += power;
+            gross += std::fabs(power);
+        }
+        rate.power[kMotorWork] = net;
+        rate.power[kGrossMotorWork] = gross;
+    };
+    give_powers(request.start, start);
+    give_powers(result.end, end);
+    for (MotionRate* rate : {&start, &end})
+        std::copy_n(mean_.speed, model.coordinate_count(), rate->speed);
+}
+
+double MidpointStep::estimate_error(const Model& model, const StepRequest& request, Rows& rows,
+                                    const StepResult& result) const {
     const double h = request.length;
     const MotionRate& start = request.start_rate;
     const MotionRate& end = result.end_rate;
+    const int place = model.place();
     Change speed;
     Change position;
     Change damped;
@@ -248,21 +251,19 @@ double MidpointStep::estimate_error(const Model& model, const StepRequest& reque
     speed.root =
         h / 6.0 * (start.root_turning + end.root_turning - 2.0 * middle_rate_.root_turning);
     position.root = h * h / 12.0 * (end.root_turning - start.root_turning);
+    const Vec3 first = coordinate_vector(start.speed + place);
+    const Vec3 last = coordinate_vector(end.speed + place);
+    speed.center = h / 6.0 * (first + last - 2.0 * coordinate_vector(middle_rate_.speed + place));
+    position.center = h * h / 12.0 * (last - first);
     const Change undamped = position;
     damp(model, middle_, damped, speed);
     damp(model, middle_, undamped, position);
-    take_absorbed(model, middle_, limits, speed);
-    take_absorbed(model, middle_, limits, position);
+    rows.absorb(model, middle_, speed, position);
     ErrorSum errors;
     for (int d = 0; d < model.degree_count; ++d)
         errors.add(position.joint[d], speed.joint[d], result.end.speed[d]);
     errors.add(position.root, speed.root, coordinate_vector(start.position + model.attitude()));
-    const int place = model.place();
-    const Vec3 first = coordinate_vector(start.speed + place);
-    const Vec3 last = coordinate_vector(end.speed + place);
-    const Vec3 middle = coordinate_vector(middle_rate_.speed + place);
-    errors.add(h * h / 12.0 * (last - first), h / 6.0 * (first + last - 2.0 * middle),
-               coordinate_vector(result.end.speed + place));
+    errors.add(position.center, speed.center, coordinate_vector(result.end.speed + place));
     return kCaution * errors.rms(model.coordinate_count()) / request.tolerance;
 }
 

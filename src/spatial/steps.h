@@ -1,9 +1,9 @@
 #pragma once
 
 // Attempts at one step: an embedded pair of Runge-Kutta formulas, or the midpoint step under the
-// forces of stops (planar/README.md 13).
+// forces of contacts and stops (planar/README.md 13).
 
-#include "spatial/limits.h"
+#include "spatial/rows.h"
 
 #include <span>
 #include <string>
@@ -57,18 +57,23 @@ class MidpointStep {
 public:
     static constexpr int kErrorOrder = 3;
 
-    // Attempts one step with the stops that were selected at its start. The first half is predicted
-    // with these rates. Returns false if the rows of stops did not settle.
+    // Attempts one step with the rows that were selected at its start. The first half is predicted
+    // with these rates. Returns false if the solver of the rows failed.
     bool attempt(const MotionSystem& system, const StepRequest& request,
-                 const MotionRate& prediction, LimitRows& limits, Evaluation& end,
-                 StepResult& result);
+                 const MotionRate& prediction, Rows& rows, Evaluation& end, StepResult& result);
 
     // Returns the accelerations of the step attempted last.
     const MotionRate& mean_rate() const { return mean_; }
+    // Gives the rates at the ends of that step under its constant forces and efforts.
+    void rates_at_ends(const Model& model, const StepRequest& request, const StepResult& result,
+                       MotionRate& start, MotionRate& end) const;
 
 private:
+    double effort(int degree) const {
+        return middle_.loads.effort[degree] - middle_.loads.damping[degree] * mean_.speed[degree];
+    }
     void integrate_works(const Model& model, const StepRequest& request, StepResult& result) const;
-    double estimate_error(const Model& model, const StepRequest& request, LimitRows& limits,
+    double estimate_error(const Model& model, const StepRequest& request, Rows& rows,
                           const StepResult& result) const;
 
     Evaluation middle_;

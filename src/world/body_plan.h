@@ -26,9 +26,10 @@ inline constexpr std::array<std::string_view, 3> kMotorModeIds = {"position", "v
                                                                   "torque"};  // in that order
 
 // Faces of a box-shaped part in its own frame; the order is that of the contact channels
-// (creature/README.md 2): distal +x, left +y, proximal -x, right -y.
-enum class Face : std::uint8_t { kDistal, kLeft, kProximal, kRight };
-inline constexpr std::size_t kFaceCount = 4;
+// (creature/README.md 2): distal +x, left +y, proximal -x, right -y; in space also front +z, back
+// -z.
+enum class Face : std::uint8_t { kDistal, kLeft, kProximal, kRight, kFront, kBack };
+inline constexpr std::size_t kFaceCount = 6;
 
 // A joint in space has at most this many degrees of freedom.
 inline constexpr std::size_t kMostDegrees = 3;

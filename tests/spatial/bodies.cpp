@@ -92,6 +92,15 @@ Environment spatial_water() {
     return environment;
 }
 
+Environment spatial_ground(double friction, double elasticity) {
+    Environment environment = weightless();
+    environment.gravity = kEarthGravity;
+    environment.has_ground = true;
+    environment.friction = friction;
+    environment.elasticity = elasticity;
+    return environment;
+}
+
 std::unique_ptr<PhysicsScene> make_solid(const BodyPlan& plan, const Environment& environment,
                                          const SceneSettings& settings) {
     auto scene = spatial_scene_kind().make(plan, environment, settings);
@@ -111,6 +120,31 @@ void swing(PhysicsScene& scene, const BodyPlan& plan) {
                     sine(2.0 * kPi * frequency * scene.time() + number));
         }
     }
+}
+
+void run_ticks(PhysicsScene& scene, int ticks) {
+    for (int tick = 0; tick < ticks; ++tick)
+        REQUIRE(scene.advance(1.0 / 60) == SceneStatus::kRunning);
+}
+
+void stand(PhysicsScene& scene) {
+    const Vec3 center = scene.center_of_mass();
+    scene.translate({-center.x(), 0.02 - scene.lowest_point(), -center.z()});
+}
+
+void begin_box(PhysicsScene& scene, const BoxMotion& box) {
+    const Vec3 half = scene.part_half_extents(0);
+    const Vec3 squares = half.cwiseProduct(half);
+    const Vec3 inertia =
+        scene.mass() / 3.0 *
+        Vec3(squares.y() + squares.z(), squares.x() + squares.z(), squares.x() + squares.y());
+    const Rotation& q = box.attitude;
+    const Vec3 momentum = q * inertia.cwiseProduct(q.conjugate() * box.spin);
+    REQUIRE(
+        scene.begin_at({{q.w(), q.x(), q.y(), q.z(), box.place.x(), box.place.y(), box.place.z()},
+                        {momentum.x(), momentum.y(), momentum.z(), box.velocity.x(),
+                         box.velocity.y(), box.velocity.z()},
+                        {}}));
 }
 
 Vec3 angular_momentum(const PhysicsScene& scene, double density) {

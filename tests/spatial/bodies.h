@@ -25,12 +25,27 @@ BodyPlan turned_plan(BodyPlan plan, const Rotation& turn);
 
 Environment weightless();  // no gravity, ground or medium; 1000 kg/m^3
 Environment spatial_water();
+Environment spatial_ground(double friction, double elasticity);
 
 std::unique_ptr<PhysicsScene> make_solid(const BodyPlan& plan, const Environment& environment,
                                          const SceneSettings& settings = {});
 
 // Sets the target of every degree of freedom to a sine of up to 1 Hz of its own.
 void swing(PhysicsScene& scene, const BodyPlan& plan);
+
+// Advances by so many ticks, which must succeed.
+void run_ticks(PhysicsScene& scene, int ticks);
+// Puts the lowest corner 2 cm above the ground.
+void stand(PhysicsScene& scene);
+
+// Gives a single box at rest this place, attitude, velocity (m/s) and spin (rad/s).
+struct BoxMotion {
+    Vec3 place = Vec3::Zero();
+    Rotation attitude = Rotation::Identity();
+    Vec3 velocity = Vec3::Zero();
+    Vec3 spin = Vec3::Zero();
+};
+void begin_box(PhysicsScene& scene, const BoxMotion& motion);
 
 // Returns the angular momentum about the centre of mass, from the parts.
 Vec3 angular_momentum(const PhysicsScene& scene, double density);

@@ -5,7 +5,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cambrian {
 namespace {
@@ -99,6 +101,140 @@ TEST_CASE("A planar body moves in space as it does in the plane") {
         }
     }
     CHECK(all_ticks > 1500);
+}
+
+namespace {
+
+// Returns whether a part above the ground touches another, which those in space do not yet.
+bool touches_itself(const PhysicsScene& scene) {
+    for (std::size_t p = 0; p < scene.part_count(); ++p) {
+        const Vec3 half = scene.part_half_extents(p);
+        const Vec3 axis = scene.part_axis(p);
+        const double lowest = scene.part_center(p).y() - half.x() * std::fabs(axis.y()) -
+                              half.y() * std::fabs(axis.x());
+        if (lowest < 0.01) continue;
+        for (std::size_t face = 0; face < kFaceCount; ++face) {
+            if (scene.face_touched(p, static_cast<Face>(face))) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+// C3, C4.
+TEST_CASE("A planar body lands in space as it does in the plane") {
+    constexpr double depth = 0.2;
+    int compared = 0;
+    double most = 0.0;
+    double sum = 0.0;
+    for (std::uint64_t creature = 0; creature < 40; ++creature) {
+        RandomStream random(stream_seed({108, creature}));
+        const int parts = random.between(2, 8);
+        const BodyPlan plan = random_tree(random, parts, 0.2, 20.0, 0.0);
+        Environment flat;
+        Environment space = flat;
+        space.density /= depth;
+        SceneSettings fine;
+        fine.tolerance = 1e-5;
+        fine.contact_step = 1.0 / 960;
+        auto planar = planar_scene_kind().make(plan, flat, fine);
+        REQUIRE(planar);
+        const auto solid = make_solid(with_depth(plan, depth), space, fine);
+        stand(**planar);
+        stand(*solid);
+        double apart = 0.0;
+        int after = 0;
+        for (int tick = 0; tick < 120 && after < 30 && !touches_itself(**planar); ++tick) {
+            flail(**planar, plan, 1.0);
+            flail(*solid, plan, 1.0);
+            REQUIRE((*planar)->advance(kTestTick) == SceneStatus::kRunning);
+            REQUIRE(solid->advance(kTestTick) == SceneStatus::kRunning);
+            if (after > 0 || (*planar)->lowest_point() < 1e-3) ++after;
+            apart = std::fmax(apart,
+                              farthest(*solid, **planar, [](const Vec3& point) { return point; }));
+        }
+        if (after < 30) continue;
+        ++compared;
+        sum += apart;
+        most = std::fmax(most, apart);
+    }
+    CAPTURE(compared, most, sum / compared);
+    CHECK(compared > 20);
+    CHECK(sum / compared < 1e-3);
+    CHECK(most < 1e-2);
+}
+
+namespace {
+
+// Returns the mirror image of a plan from front to back.
+BodyPlan image_of(BodyPlan plan) {
+    for (PlannedPart& part : plan.parts) {
+        const Rotation& q = part.rest_pose.orientation;
+        part.rest_pose.orientation = Rotation(q.w(), -q.x(), -q.y(), q.z());
+        for (Vec3* point :
+             {&part.rest_pose.position, &part.anchor_in_parent, &part.anchor_in_child})
+            point->z() = -point->z();
+        const auto turn = [&part](std::size_t degree, double& low, double& high) {
+            if (part.motion != JointMotion::kTurn || part.axes[degree] == 2) return;
+            low = std::exchange(high, -low);
+            low = -low;
+        };
+        turn(0, part.limit_low, part.limit_high);
+        for (std::size_t d = 1; d < part.degree_count; ++d)
+            turn(d, part.further[d - 1].low, part.further[d - 1].high);
+    }
+    return plan;
+}
+
+// Sets targets like swing(), those of turned over hinges against it.
+void swing_image(PhysicsScene& scene, const BodyPlan& plan) {
+    swing(scene, plan);
+    for (std::size_t p = 1; p < plan.parts.size(); ++p) {
+        const PlannedPart& part = plan.parts[p];
+        if (part.motion != JointMotion::kTurn) continue;
+        for (std::size_t d = 0; d < degrees_of(part); ++d) {
+            const JointDegree degree{static_cast<std::uint16_t>(p), static_cast<std::uint8_t>(d)};
+            if (part.axes[d] != 2) scene.set_target(degree, -scene.target(degree));
+        }
+    }
+}
+
+}  // namespace
+
+// C8, C5 on the ground, where rounding grows with every impact.
+TEST_CASE("On the ground neither the direction nor the side of a body matters") {
+    double mirrored_most = 0.0;
+    double turned_most = 0.0;
+    for (std::uint64_t creature = 0; creature < 20; ++creature) {
+        RandomStream random(stream_seed({109, creature}));
+        const BodyPlan plan = random_solid(random, random.between(2, 10), 25000.0);
+        const BodyPlan image = image_of(plan);
+        const Rotation yaw = spatial::rotation_by(Vec3(0.0, random.uniform(0.2, 3.0), 0.0));
+        const BodyPlan other = turned_plan(plan, yaw);
+        const auto scene = make_solid(plan, spatial_ground(0.8, 0.2));
+        const auto mirrored = make_solid(image, spatial_ground(0.8, 0.2));
+        const auto turned = make_solid(other, spatial_ground(0.8, 0.2));
+        for (const auto* each : {&scene, &mirrored, &turned})
+            stand(**each);
+        for (int tick = 0; tick < 120; ++tick) {
+            swing(*scene, plan);
+            swing_image(*mirrored, image);
+            swing(*turned, other);
+            for (const auto* each : {&scene, &mirrored, &turned})
+                REQUIRE((*each)->advance(kTestTick) == SceneStatus::kRunning);
+        }
+        const double from_image = farthest(*scene, *mirrored, [](const Vec3& point) {
+            return Vec3(point.x(), point.y(), -point.z());
+        });
+        const double from_turned =
+            farthest(*scene, *turned, [&yaw](const Vec3& point) { return yaw * point; });
+        mirrored_most = std::fmax(mirrored_most, from_image);
+        turned_most = std::fmax(turned_most, from_turned);
+    }
+    CAPTURE(mirrored_most, turned_most);
+    CHECK(mirrored_most < 1e-3);
+    CHECK(turned_most < 1e-3);
 }
 
 // C5.

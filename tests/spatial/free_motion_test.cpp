@@ -30,11 +30,6 @@ void spin_box(PhysicsScene& scene, const Vec3& half, const Vec3& spin) {
     REQUIRE(scene.begin_at(motion));
 }
 
-void run_for(PhysicsScene& scene, int ticks) {
-    for (int tick = 0; tick < ticks; ++tick)
-        REQUIRE(scene.advance(1.0 / 60) == SceneStatus::kRunning);
-}
-
 // Energy, attitude and angular momentum of an asymmetric box after steps of one length.
 struct Tumble {
     double energy_error = 0.0;    // relative
@@ -85,7 +80,7 @@ TEST_CASE("The axis of a symmetric top goes round its angular momentum") {
         const double inertia = scene->mass() / 3.0 * (0.3 * 0.3 + 0.1 * 0.1);
         const double rate = momentum.norm() / inertia;
         CHECK(rate == Approx(2.3324).epsilon(1e-4));
-        run_for(*scene, 600);
+        run_ticks(*scene, 600);
         const Vec3 direction = momentum.normalized();
         const Rotation turn = rotation_by(Vec3(10.0 * rate * direction));
         const Vec3 expected = turn * Vec3::UnitX();

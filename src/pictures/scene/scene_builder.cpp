@@ -46,6 +46,8 @@ std::array<Vec2, 2> face_ends(const Vec2& half, Face face, double inset) {
         case Face::kProximal:
             return {Vec2(-x, -y + inset), Vec2(-x, y - inset)};
         case Face::kRight:
+        case Face::kFront:
+        case Face::kBack:
             break;
     }
     return {Vec2(-x + inset, -y), Vec2(x - inset, -y)};

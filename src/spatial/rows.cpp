@@ -1,0 +1,509 @@
+#include "spatial/rows.h"
+
+#include "core/assert.h"
+#include "world/environment.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cambrian::spatial {
+namespace {
+
+constexpr double kStopReach = 1e-3;         // rad or m; of stops that count as touched
+constexpr double kReachSteps = 1.5;         // steps in which a closing row may close
+constexpr double kStopSoftness = 1e-7;      // share of the diagonal
+constexpr double kNormalSoftness = 1e-4;    // share of a free body's
+constexpr double kLeastDiagonal = 0.02;     // share of a free body's
+constexpr double kStepSoftness = 1e-2;      // of tangents, share of a free body's
+constexpr double kImpactSoftness = 1e-5;    // the same in impacts
+constexpr double kAnchorWeights = 10.0;     // weights of the body; largest anchored force
+constexpr double kPushSpeed = 0.5;          // m/s; fastest way back out of the ground
+constexpr double kStopPushSpeed = 1.0;      // rad/s or m/s; from beyond a stop
+constexpr double kPushShare = 0.1 * 120.0;  // 1/s
+constexpr double kUsualRate = 120.0;        // 1/s
+constexpr double kWorkAllowance = 1e-3;     // J per (kg m/s^2) of the forces of a step
+constexpr double kLeastWork = 1e-9;         // J per (kg m/s^2); smaller works are rounding
+constexpr int kStepSweeps = 60;
+constexpr int kImpactSweeps = 300;
+constexpr int kSweepsFromZero = 200;
+constexpr double kCircleShare = 1.0 - 1e-6;  // of the radius; a longer tangent impulse slides
+
+const Vec3 kRowDirections[3] = {Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ()};
+
+// Returns what is added to the free rate at the end of a step before it must not be negative.
+double slack_of(double gap, double rate, double h, double push_speed) {
+    if (gap < 0.0) {
+        const double back = std::min(push_speed, -kPushShare * gap) * std::min(1.0, kUsualRate * h);
+        return std::max(-back, rate - 2.0 * back);
+    }
+    if (rate <= 0.0) return std::max(0.0, gap / h + 0.5 * rate);
+    return std::max(0.0, 2.0 * gap / h + rate);
+}
+
+template <class Take>
+void visit_stops(const Model& model, const Motion& motion, Take&& take) {
+    for (int d = 0; d < model.degree_count; ++d) {
+        const Degree& degree = model.degrees[d];
+        const double position = motion.position[d];
+        const double rate = motion.speed[d];
+        take(Stop{d, 1.0, position - degree.low, rate});
+        take(Stop{d, -1.0, degree.high - position, -rate});
+    }
+}
+
+// Returns the acceleration of a body's point at a place from the centre of mass of all.
+Vec3 point_acceleration(const Evaluation& evaluation, int body, const Vec3& place,
+                        const Vec3& gravity) {
+    const Kinematics& k = evaluation.kinematics;
+    const Six& acceleration = evaluation.response.body[body];
+    const Vec3 velocity = k.motion[body].linear + cross(k.spin[body], place);
+    return acceleration.linear + cross(acceleration.angular, place) +
+           cross(k.spin[body], velocity) + gravity;
+}
+
+// Whether a slow contact could reach the band within a step of length h.
+bool may_touch(const Contact& contact, const Moment& start, double h) {
+    const double closing = contact.closing_speed();
+    if (closing > kRestingSpeed) return false;
+    const Vec3 place = place_of(start.evaluation.kinematics, contact);
+    const double acceleration =
+        point_acceleration(start.evaluation, contact.body, place, start.gravity).y();
+    return contact.gap < kContactBand + kReachSteps * h * std::max(0.0, closing) +
+                             h * h * std::max(0.0, -acceleration);
+}
+
+// Calls take(degree) for the degrees between a body and the root, outermost first.
+template <class Take>
+void visit_path(const Model& model, int body, Take&& take) {
+    for (int b = body; b > 0; b = model.bodies[b].parent) {
+        const Body& each = model.bodies[b];
+        for (int d = each.first_degree + each.degree_count - 1; d >= each.first_degree; --d)
+            take(d);
+    }
+}
+
+}  // namespace
+
+void Change::add(const Model& model, const Response& response, const Push& push) {
+    for (int d = 0; d < model.degree_count; ++d)
+        joint[d] += response.joint[d];
+    root += response.root_turning();
+    Vec3 force = Vec3::Zero();
+    for (int b = 0; b < model.body_count; ++b)
+        force += push.wrench[b].linear;
+    center += force / model.mass;
+}
+
+Rows::Rows(const Model& model) : solver_(3 * most_contacts(model) + 2 * model.degree_count) {
+    const auto contacts = static_cast<std::size_t>(3 * most_contacts(model));
+    const std::size_t rows = contacts + 2 * static_cast<std::size_t>(model.degree_count);
+    stops_.reserve(rows - contacts);
+    direction_.resize(contacts);
+    body_.resize(rows);
+    active_.reserve(rows);
+    path_.resize(rows * static_cast<std::size_t>(model.degree_count));
+    root_.resize(6 * rows);
+    for (std::vector<double>* matrix : {&matrix_, &factor_})
+        matrix->resize(rows * rows);
+    for (std::vector<double>* numbers :
+         {&softness_, &rate_, &acceleration_, &bias_, &impulse_, &undone_})
+        numbers->resize(rows);
+}
+
+bool Rows::add_stops(const Moment& moment, double length) {
+    stops_.clear();
+    visit_stops(moment.model, moment.motion, [this, length](const Stop& stop) {
+        if (stop.gap < kReachSteps * length * std::max(0.0, -stop.rate) + kStopReach)
+            stops_.push_back(stop);
+    });
+    return row_count() > 0;
+}
+
+bool Rows::select(const Moment& start, const ContactSet& near, const HeldContacts& held,
+                  double length) {
+    contacts_.count = 0;
+    int h = 0;
+    for (int c = 0; c < near.count; ++c) {
+        const Contact& contact = near.items[c];
+        if (contact.gap >= kContactBand && !may_touch(contact, start, length)) continue;
+        // Both are in the order of their numbers.
+        while (h < held.count && held.items[h].id < contact.id)
+            ++h;
+        const bool known = h < held.count && held.items[h].id == contact.id;
+        guess_[contacts_.count] = known ? held.items[h].force : Vec3(Vec3::Zero());
+        contacts_.items[contacts_.count++] = contact;
+    }
+    return add_stops(start, length);
+}
+
+bool Rows::select_touched(const Moment& moment, const ContactSet& near) {
+    contacts_.count = 0;
+    for (int c = 0; c < near.count; ++c) {
+        if (near.items[c].gap < kContactBand) contacts_.items[contacts_.count++] = near.items[c];
+    }
+    return add_stops(moment, 0.0);
+}
+
+void Rows::clear() {
+    contacts_.count = 0;
+    stops_.clear();
+}
+
+// Follows the unit impulse of a row from its body to the root (R. Featherstone, Rigid Body Dynamics
+// Algorithms, 2008, chapter 8).
+void Rows::eliminate(const Model& model, const Evaluation& middle, int row) {
+    const auto r = static_cast<std::size_t>(row);
+    const Factors& factors = middle.factors;
+    double* path = path_.data() + r * static_cast<std::size_t>(model.degree_count);
+    const int stop = row - 3 * contacts_.count;
+    const int driven = stop < 0 ? -1 : stops_[static_cast<std::size_t>(stop)].degree;
+    Six bias;
+    if (stop < 0) bias = -1.0 * direction_[r];
+    visit_path(model, body_[r], [&](int d) {
+        path[d] = -dot(middle.kinematics.axis[d], bias);
+        if (d == driven) path[d] += stops_[static_cast<std::size_t>(stop)].sign;
+        bias += path[d] * factors.inverse[d] * factors.push[d];
+    });
+    double* root = root_.data() + 6 * r;
+    for (int i = 0; i < 3; ++i) {
+        root[i] = -bias.angular[i];
+        root[3 + i] = -bias.linear[i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        for (int k = 0; k < i; ++k)
+            root[i] -= factors.root[i][k] * root[k];
+        root[i] /= factors.root[i][i];
+    }
+}
+
+void Rows::build(const Model& model, const Evaluation& middle, double tangent_softness) {
+    const int n = row_count();
+    const Kinematics& k = middle.kinematics;
+    for (int c = 0; c < contacts_.count; ++c) {
+        const Contact& contact = contacts_.items[c];
+        const Vec3 place = place_of(k, contact);
+        for (std::size_t d = 0; d < 3; ++d) {
+            direction_[first_row(c) + d] = {cross(place, kRowDirections[d]), kRowDirections[d]};
+            body_[first_row(c) + d] = contact.body;
+            rate_[first_row(c) + d] = dot(contact.velocity, kRowDirections[d]);
+        }
+    }
+    for (std::size_t s = 0; s < stops_.size(); ++s) {
+        body_[first_row(contacts_.count) + s] = model.degrees[stops_[s].degree].body;
+        rate_[first_row(contacts_.count) + s] = stops_[s].rate;
+    }
+    const auto degrees = static_cast<std::size_t>(model.degree_count);
+    std::fill_n(path_.begin(), static_cast<std::size_t>(n) * degrees, 0.0);
+    for (int row = 0; row < n; ++row)
+        eliminate(model, middle, row);
+    double scaled[kMostJointDegrees];
+    for (int row = 0; row < n; ++row) {
+        const auto r = static_cast<std::size_t>(row);
+        const double* path = path_.data() + r * degrees;
+        const double* root = root_.data() + 6 * r;
+        visit_path(model, body_[r],
+                   [&](int d) { scaled[d] = path[d] * middle.factors.inverse[d]; });
+        for (int column = 0; column <= row; ++column) {
+            const auto s = static_cast<std::size_t>(column);
+            const double* other = path_.data() + s * degrees;
+            double sum = 0.0;
+            for (std::size_t i = 0; i < 6; ++i)
+                sum += root[i] * root_[6 * s + i];
+            visit_path(model, body_[r], [&](int d) { sum += scaled[d] * other[d]; });
+            at(row, column) = sum;
+            at(column, row) = sum;
+        }
+    }
+    for (int c = 0; c < contacts_.count; ++c) {
+        const int b = contacts_.items[c].body;
+        const Vec3 arm = k.turn[b] * contacts_.items[c].point;
+        double free[3];
+        for (int d = 0; d < 3; ++d) {
+            const Vec3 lever = cross(arm, kRowDirections[d]);
+            free[d] = 1.0 / model.bodies[b].mass + dot(lever, solved(k.inertia[b], lever));
+        }
+        const int first = 3 * c;
+        // The same for both tangents, so that it does not depend on the direction of the body.
+        const double tangent = tangent_softness * 0.5 * (free[1] + free[2]);
+        softness_[first_row(c)] =
+            std::max(kNormalSoftness * free[0], kLeastDiagonal * free[0] - at(first, first));
+        softness_[first_row(c) + 1] = tangent;
+        softness_[first_row(c) + 2] = tangent;
+    }
+    for (int row = 3 * contacts_.count; row < n; ++row)
+        softness_[static_cast<std::size_t>(row)] = kStopSoftness * at(row, row);
+    for (int row = 0; row < n; ++row)
+        at(row, row) += softness_[static_cast<std::size_t>(row)];
+}
+
+// Sets biases and first guesses. The softness of tangents pulls towards the last step's force and
+// not towards 0, so that what rests does not creep. Wedged parts keep no more than a few weights.
+void Rows::set_step_bias(const Model& model, const Vec3& gravity, const Evaluation& middle,
+                         double h) {
+    const double most = kAnchorWeights * model.mass * kEarthGravity * h;
+    for (int c = 0; c < contacts_.count; ++c) {
+        const Contact& contact = contacts_.items[c];
+        const Vec3 acceleration =
+            point_acceleration(middle, contact.body, place_of(middle.kinematics, contact), gravity);
+        for (std::size_t d = 0; d < 3; ++d) {
+            const std::size_t row = first_row(c) + d;
+            acceleration_[row] = dot(acceleration, kRowDirections[d]);
+            impulse_[row] = h * dot(guess_[c], kRowDirections[d]);
+            bias_[row] = rate_[row] + h * acceleration_[row];
+            if (d == 0)
+                bias_[row] += slack_of(contact.gap - kRestingGap, rate_[row], h, kPushSpeed);
+            else
+                bias_[row] -= softness_[row] * std::clamp(impulse_[row], -most, most);
+        }
+    }
+    for (std::size_t s = 0; s < stops_.size(); ++s) {
+        const Stop& stop = stops_[s];
+        const std::size_t row = first_row(contacts_.count) + s;
+        acceleration_[row] = stop.sign * middle.response.joint[stop.degree];
+        impulse_[row] = 0.0;
+        bias_[row] =
+            rate_[row] + h * acceleration_[row] + slack_of(stop.gap, rate_[row], h, kStopPushSpeed);
+    }
+}
+
+ConeProblem Rows::problem() const {
+    return {contacts_.count, static_cast<int>(stops_.size()), friction_, matrix_.data(),
+            bias_.data()};
+}
+
+// The impulses are the first guess. Where the solver fails, it is improved by sweeps instead.
+bool Rows::solve(double friction, int fallback_sweeps) {
+    friction_ = friction;
+    const ConeProblem rows = problem();
+    std::copy_n(impulse_.begin(), row_count(), undone_.begin());
+    if (solver_.solve(rows, impulse_.data())) return true;
+    std::copy_n(undone_.begin(), row_count(), impulse_.begin());
+    ConeSolver::sweep(rows, fallback_sweeps, impulse_.data());
+    return false;
+}
+
+// Returns the change of a row's rate by the impulses.
+double Rows::effect(int row) const {
+    double sum =
+        -softness_[static_cast<std::size_t>(row)] * impulse_[static_cast<std::size_t>(row)];
+    for (int j = 0; j < row_count(); ++j)
+        sum += at(row, j) * impulse_[static_cast<std::size_t>(j)];
+    return sum;
+}
+
+double Rows::step_work(double h) const {
+    double work = 0.0;
+    for (int row = 0; row < row_count(); ++row) {
+        const auto r = static_cast<std::size_t>(row);
+        if (impulse_[r] == 0.0) continue;
+        work += impulse_[r] * (rate_[r] + 0.5 * (h * acceleration_[r] + effect(row)));
+    }
+    return work;
+}
+
+bool Rows::solve_step(const Model& model, const Vec3& gravity, double friction,
+                      const Evaluation& middle, double length) {
+    build(model, middle, kStepSoftness);
+    set_step_bias(model, gravity, middle, length);
+    const bool settled = solve(friction, kStepSweeps);
+    const double allowed = kWorkAllowance * model.mass * kEarthGravity;
+    if (step_work(length) <= allowed) return settled;
+    for (const double tried : {friction, 0.0}) {
+        friction_ = tried;
+        std::fill_n(impulse_.begin(), row_count(), 0.0);
+        ConeSolver::sweep(problem(), kSweepsFromZero, impulse_.data());
+        if (step_work(length) <= allowed) break;
+    }
+    return false;
+}
+
+double Rows::impact_work(int row) const {
+    const auto r = static_cast<std::size_t>(row);
+    return impulse_[r] * (rate_[r] + 0.5 * effect(row));
+}
+
+// No impact gives energy; one that would is solved again without restitution, and last without
+// friction.
+Rows::Impact Rows::solve_impact(const Model& model, double friction, double restitution,
+                                const Evaluation& evaluation) {
+    build(model, evaluation, kImpactSoftness);
+    const double allowed = kLeastWork * model.mass * kEarthGravity;
+    Impact impact;
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        for (int row = 0; row < row_count(); ++row) {
+            const auto r = static_cast<std::size_t>(row);
+            const bool bounces = attempt == 0 && row < 3 * contacts_.count && row % 3 == 0 &&
+                                 rate_[r] < -kRestingSpeed;
+            bias_[r] = rate_[r] + (bounces ? restitution * rate_[r] : 0.0);
+            impulse_[r] = 0.0;
+        }
+        impact.settled &= solve(attempt < 2 ? friction : 0.0, kImpactSweeps);
+        impact.work = 0.0;
+        for (int row = 0; row < row_count(); ++row)
+            impact.work += impact_work(row);
+        if (impact.work <= allowed) break;
+        impact.settled = false;
+    }
+    return impact;
+}
+
+bool Rows::holds_something() const {
+    for (int row = 0; row < row_count(); ++row) {
+        if (impulse_[static_cast<std::size_t>(row)] != 0.0) return true;
+    }
+    return false;
+}
+
+void Rows::add_push(double scale, Push& push) const {
+    for (int c = 0; c < contacts_.count; ++c) {
+        for (std::size_t row = first_row(c); row < first_row(c) + 3; ++row)
+            push.wrench[contacts_.items[c].body] += scale * impulse_[row] * direction_[row];
+    }
+    for (std::size_t s = 0; s < stops_.size(); ++s)
+        push.effort[stops_[s].degree] +=
+            scale * stops_[s].sign * impulse_[first_row(contacts_.count) + s];
+}
+
+// Factorizes the matrix of the rows that push: of contacts that stick all three. Returns false if
+// there are none.
+bool Rows::factorize_active() {
+    active_.clear();
+    for (int c = 0; c < contacts_.count; ++c) {
+        const double* p = impulse_.data() + first_row(c);
+        if (!(p[0] > 0.0)) continue;
+        const int first = 3 * c;
+        active_.push_back(first);
+        if (!(std::sqrt(p[1] * p[1] + p[2] * p[2]) < kCircleShare * friction_ * p[0])) continue;
+        active_.push_back(first + 1);
+        active_.push_back(first + 2);
+    }
+    for (int row = 3 * contacts_.count; row < row_count(); ++row) {
+        if (impulse_[static_cast<std::size_t>(row)] > 0.0) active_.push_back(row);
+    }
+    const std::size_t size = active_.size();
+    for (std::size_t i = 0; i < size; ++i) {
+        double* own = factor_.data() + i * size;
+        for (std::size_t j = 0; j <= i; ++j) {
+            const double* other = factor_.data() + j * size;
+            double sum = at(active_[i], active_[j]);
+            for (std::size_t k = 0; k < j; ++k)
+                sum -= own[k] * other[k];
+            if (i == j && !(sum > 0.0)) return false;
+            own[j] = i == j ? std::sqrt(sum) : sum / other[j];
+        }
+    }
+    return size > 0;
+}
+
+void Rows::absorb_one(const Model& model, const Evaluation& middle, Change& change) {
+    const Kinematics& k = middle.kinematics;
+    // Velocities of the bodies whose common centre of mass stays.
+    Six velocity[kMostBodies];
+    velocity[0] = {change.root, Vec3::Zero()};
+    Vec3 mean = cross(change.root, k.place[0]) * model.bodies[0].mass;
+    for (int b = 1; b < model.body_count; ++b) {
+        const Body& body = model.bodies[b];
+        velocity[b] = velocity[body.parent];
+        for (int d = body.first_degree; d < body.first_degree + body.degree_count; ++d)
+            velocity[b] += change.joint[d] * k.axis[d];
+        mean += body.mass * (velocity[b].linear + cross(velocity[b].angular, k.place[b]));
+    }
+    const Vec3 drift = change.center - mean / model.mass;
+    const std::size_t size = active_.size();
+    double* x = undone_.data();
+    for (std::size_t i = 0; i < size; ++i) {
+        const int row = active_[i];
+        const int stop = row - 3 * contacts_.count;
+        if (stop < 0) {
+            const Six& direction = direction_[static_cast<std::size_t>(row)];
+            x[i] = dot(direction, velocity[body_[static_cast<std::size_t>(row)]]) +
+                   dot(direction.linear, drift);
+        } else {
+            const Stop& each = stops_[static_cast<std::size_t>(stop)];
+            x[i] = each.sign * change.joint[each.degree];
+        }
+        for (std::size_t j = 0; j < i; ++j)
+            x[i] -= factor_[i * size + j] * x[j];
+        x[i] /= factor_[i * size + i];
+    }
+    Push push;
+    for (std::size_t i = size; i-- > 0;) {
+        for (std::size_t j = i + 1; j < size; ++j)
+            x[i] -= factor_[j * size + i] * x[j];
+        x[i] /= factor_[i * size + i];
+        const int row = active_[i];
+        const int stop = row - 3 * contacts_.count;
+        if (stop < 0) {
+            push.wrench[body_[static_cast<std::size_t>(row)]] +=
+                -x[i] * direction_[static_cast<std::size_t>(row)];
+        } else {
+            const Stop& each = stops_[static_cast<std::size_t>(stop)];
+            push.effort[each.degree] -= each.sign * x[i];
+        }
+    }
+    Response response;
+    respond(model, k, middle.factors, push, response);
+    change.add(model, response, push);
+}
+
+void Rows::absorb(const Model& model, const Evaluation& middle, Change& first, Change& second) {
+    if (!factorize_active()) return;
+    absorb_one(model, middle, first);
+    absorb_one(model, middle, second);
+}
+
+RowWork Rows::work(const Model& model, const Motion& start, const Kinematics& start_kinematics,
+                   const Motion& end, const Kinematics& end_kinematics, double length) const {
+    RowWork work;
+    const int center = model.place();
+    const Vec3 moved =
+        coordinate_vector(end.position + center) - coordinate_vector(start.position + center);
+    for (int c = 0; c < contacts_.count; ++c) {
+        const Contact& contact = contacts_.items[c];
+        const double* p = impulse_.data() + first_row(c);
+        const Vec3 way =
+            place_of(end_kinematics, contact) - place_of(start_kinematics, contact) + moved;
+        const double done = (p[0] * way.y() + p[1] * way.x() + p[2] * way.z()) / length;
+        work.contact += done;
+        work.positive += std::max(0.0, done);
+    }
+    for (std::size_t s = 0; s < stops_.size(); ++s) {
+        const Stop& stop = stops_[s];
+        const double way = end.position[stop.degree] - start.position[stop.degree];
+        const double done = impulse_[first_row(contacts_.count) + s] / length * stop.sign * way;
+        work.limit += done;
+        work.positive += std::max(0.0, done);
+    }
+    return work;
+}
+
+bool Rows::covers(int contact_id) const {
+    for (int c = 0; c < contacts_.count; ++c) {
+        if (contacts_.items[c].id == contact_id) return true;
+    }
+    return false;
+}
+
+double Rows::impact_loss(int contact) const {
+    double work = 0.0;
+    for (int row = 3 * contact; row < 3 * contact + 3; ++row)
+        work += impact_work(row);
+    return -work;
+}
+
+void Rows::store(double length, HeldContacts& held) const {
+    held.count = contacts_.count;
+    for (int c = 0; c < contacts_.count; ++c) {
+        const Contact& contact = contacts_.items[c];
+        const double* p = impulse_.data() + first_row(c);
+        held.items[c] = {contact.id, contact.body, contact.point, Vec3(p[1], p[0], p[2]) / length};
+    }
+}
+
+double limit_overrun(const Model& model, const Motion& motion) {
+    double most = 0.0;
+    visit_stops(model, motion, [&most](const Stop& stop) { most = std::max(most, -stop.gap); });
+    return most;
+}
+
+}  // namespace cambrian::spatial

@@ -1,0 +1,146 @@
+#pragma once
+
+// Contacts with the ground and stops of the joints as rows: rates u+ = u- + W p with impulses p
+// (spatial/README.md 5 and 6). Impacts are solved as impulses, resting and sliding as forces that
+// are constant over a step.
+
+#include "spatial/cone_solver.h"
+#include "spatial/evaluation.h"
+#include "spatial/ground_contacts.h"
+
+#include <vector>
+
+namespace cambrian::spatial {
+
+// A degree near one of its stops.
+struct Stop {
+    int degree = 0;
+    double sign = 1.0;  // +1 at the low stop, -1 at the high one
+    double gap = 0.0;   // rad or m
+    double rate = 0.0;  // opening is positive
+};
+
+// Forces of contacts, N: the first guess of the next step, and what displays show.
+struct HeldContacts {
+    struct Item {
+        int id = 0;  // Contact::id
+        int body = 0;
+        Vec3 point = Vec3::Zero();  // m, of the body
+        Vec3 force = Vec3::Zero();
+    };
+    int count = 0;
+    Item items[kMostContacts];
+};
+
+// Changes of the speeds of the joints, the root and the centre of mass.
+struct Change {
+    double joint[kMostJointDegrees] = {};
+    Vec3 root = Vec3::Zero();
+    Vec3 center = Vec3::Zero();
+
+    void add(const Model& model, const Response& response, const Push& push);
+};
+
+// Works of the constant forces over a step, J.
+struct RowWork {
+    double contact = 0.0;
+    double limit = 0.0;
+    double positive = 0.0;  // sum of every contact's and stop's positive work
+};
+
+// The moment at which rows are selected.
+struct Moment {
+    const Model& model;
+    const Motion& motion;
+    const Evaluation& evaluation;
+    const Vec3& gravity;  // m/s^2
+};
+
+class Rows {
+public:
+    explicit Rows(const Model& model);
+
+    // Selects the contacts and stops that may matter in a step of this length, with their gaps and
+    // rates and the forces of the last step. Returns whether there are any.
+    bool select(const Moment& start, const ContactSet& near, const HeldContacts& held,
+                double length);
+    // Selects those that touch.
+    bool select_touched(const Moment& moment, const ContactSet& near);
+    void clear();
+
+    // Computes the impulses of a step of this length whose free accelerations and factors are those
+    // of its middle. Returns false if the solver failed and a fallback was used.
+    bool solve_step(const Model& model, const Vec3& gravity, double friction,
+                    const Evaluation& middle, double length);
+    struct Impact {
+        double work = 0.0;  // J
+        bool settled = true;
+    };
+    // Computes the impulses of an impact of everything selected.
+    Impact solve_impact(const Model& model, double friction, double restitution,
+                        const Evaluation& evaluation);
+
+    bool holds_something() const;
+    // Adds the impulses, times a scale.
+    void add_push(double scale, Push& push) const;
+    // Takes away from changes of speeds, in the middle of the step, what rows with impulses do not
+    // let happen.
+    void absorb(const Model& model, const Evaluation& middle, Change& first, Change& second);
+    RowWork work(const Model& model, const Motion& start, const Kinematics& start_kinematics,
+                 const Motion& end, const Kinematics& end_kinematics, double length) const;
+
+    int contact_count() const { return contacts_.count; }
+    const Contact& contact(int index) const { return contacts_.items[index]; }
+    bool covers(int contact_id) const;
+    double normal_impulse(int contact) const { return impulse_[first_row(contact)]; }
+    // Kinetic energy that an impact took at a contact, J.
+    double impact_loss(int contact) const;
+    // Stores the forces of a step of this length.
+    void store(double length, HeldContacts& held) const;
+
+private:
+    static std::size_t first_row(int contact) { return 3 * static_cast<std::size_t>(contact); }
+    int row_count() const { return 3 * contacts_.count + static_cast<int>(stops_.size()); }
+    double& at(int row, int column) {
+        return matrix_[static_cast<std::size_t>(row * row_count() + column)];
+    }
+    double at(int row, int column) const {
+        return matrix_[static_cast<std::size_t>(row * row_count() + column)];
+    }
+    bool add_stops(const Moment& moment, double length);
+    void build(const Model& model, const Evaluation& middle, double tangent_softness);
+    void eliminate(const Model& model, const Evaluation& middle, int row);
+    void set_step_bias(const Model& model, const Vec3& gravity, const Evaluation& middle,
+                       double length);
+    bool solve(double friction, int fallback_sweeps);
+    double effect(int row) const;
+    double impact_work(int row) const;
+    double step_work(double length) const;
+    ConeProblem problem() const;
+    bool factorize_active();
+    void absorb_one(const Model& model, const Evaluation& middle, Change& change);
+
+    ContactSet contacts_;
+    Vec3 guess_[kMostContacts];  // N, force of the last step
+    std::vector<Stop> stops_;
+    ConeSolver solver_;
+    double friction_ = 0.0;       // of the present problem
+    std::vector<Six> direction_;  // of the rows of contacts, in the middle
+    std::vector<int> body_;       // whose path to the root a row has
+    std::vector<double> path_;    // of each row, what its unit impulse does at the degrees
+    std::vector<double> root_;    // and at the root, times the inverse of its factor
+    std::vector<double> matrix_;  // softened
+    std::vector<double> softness_;
+    std::vector<double> rate_;  // at the start
+    std::vector<double> acceleration_;
+    std::vector<double> bias_;
+    std::vector<double> impulse_;
+    std::vector<double> factor_;  // Cholesky factor of the active rows
+    std::vector<int> active_;
+    std::vector<double> undone_;
+};
+
+// Returns how far the worst joint is beyond a stop, rad or m.
+double limit_overrun(const Model& model, const Motion& motion);
+
+}  // namespace cambrian::spatial
