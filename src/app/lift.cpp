@@ -3,6 +3,7 @@
 #include "app/command_line/output_path.h"
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
+#include "evolution/settings/goal_defaults.h"
 #include "persist/creature/creature_file.h"
 #include "persist/settings/settings_file.h"
 
@@ -23,7 +24,8 @@ bool has_organs(const Genome& genome) {
                        [](const NodeGene& node) { return !node.organs.empty(); });
 }
 
-// Returns the creature in space, in the default world of swimmers there, without a score.
+// Returns the creature in space, in the default world of its goal there, without a score. Where
+// that goal is not built in space, it is that of swimmers.
 CreatureDocument lifted_document(const CreatureDocument& planar, double depth,
                                  const EvolutionKinds& space) {
     Genome genome = lifted(planar.genome(), depth);
@@ -32,7 +34,8 @@ CreatureDocument lifted_document(const CreatureDocument& planar, double depth,
     individual.genome_hash = genome_hash(genome);
     individual.genome = std::make_shared<const Genome>(std::move(genome));
     individual.method = kLiftedMethod;
-    ExperimentSettings settings = default_settings("", space);
+    const std::string& goal = planar.settings().goal;
+    ExperimentSettings settings = default_settings(is_goal_of_space(goal) ? goal : "", space);
     settings.expression = planar.settings().expression;
     settings.expression.strict_overlap = false;
     CreatureDocument document;
@@ -82,11 +85,10 @@ private:
 }  // namespace
 
 SubcommandKind lift_subcommand() {
-    return {
-        .id = "lift",
-        .summary = "Put a creature of two dimensions into three, as a body of boxes that swims.",
-        .example = "cambrian lift assets/creatures/dart.creature.json -o dart-3d.creature.json",
-        .make = make_subcommand<LiftSubcommand>};
+    return {.id = "lift",
+            .summary = "Put a creature of two dimensions into three, as a body of boxes.",
+            .example = "cambrian lift assets/creatures/dart.creature.json -o dart-3d.creature.json",
+            .make = make_subcommand<LiftSubcommand>};
 }
 
 }  // namespace cambrian

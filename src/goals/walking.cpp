@@ -3,8 +3,9 @@
 //
 //     S = max over both directions of [0.3 (p1 + p2 + p3 + p4) + 2.8 min(p)] / (BL * 0.8 T),
 //
-// at least 0. On a slope only the direction uphill counts, since gravity carries a body down. For
-// steady motion this is the speed in body lengths per second. The trailing edge,
+// at least 0. In space there are 16 directions. On a slope only the direction uphill counts, since
+// gravity carries a body down. For steady motion this is the speed in body lengths per second. The
+// trailing edge,
 // the ignored first fifth and the minimum of four windows prevent falls, launches and single hops
 // from scoring: a single event moves the edge in at most two windows.
 #include "goals/goal.h"
@@ -33,11 +34,13 @@ struct Progress {
     double credit() const { return kShareOfAll * all + (1.0 - kShareOfAll) * kWindows * slowest; }
 };
 
-Progress progress_towards(const TrialRecord& record, int direction) {
+// Returns the progress of an edge, whose coordinate in a sample is given.
+template <class Edge>
+Progress progress_of(const TrialRecord& record, Edge edge) {
     Progress progress;
-    double before = trailing_edge(sample_at(record, kSeams.front()), direction);
+    double before = edge(sample_at(record, kSeams.front()));
     for (std::size_t i = 1; i < kSeams.size(); ++i) {
-        const double now = trailing_edge(sample_at(record, kSeams[i]), direction);
+        const double now = edge(sample_at(record, kSeams[i]));
         const double moved = now - before;
         progress.all += moved;
         progress.slowest = i == 1 ? moved : std::min(progress.slowest, moved);
@@ -46,7 +49,31 @@ Progress progress_towards(const TrialRecord& record, int direction) {
     return progress;
 }
 
+Progress progress_towards(const TrialRecord& record, int direction) {
+    return progress_of(record, [direction](const MotionSample& sample) {
+        return trailing_edge(sample, direction);
+    });
+}
+
+Progress progress_along(const TrialRecord& record, std::size_t heading) {
+    const std::size_t back = (heading + kHeadings / 2) % kHeadings;
+    return progress_of(record,
+                       [back](const MotionSample& sample) { return -sample.supports[back]; });
+}
+
+Progress best_progress_in_space(const TrialRecord& record) {
+    if (record.up.x() != 0.0)
+        return progress_along(record, record.up.x() > 0.0 ? 0 : kHeadings / 2);
+    Progress best = progress_along(record, 0);
+    for (std::size_t heading = 1; heading < kHeadings; ++heading) {
+        const Progress progress = progress_along(record, heading);
+        if (progress.credit() > best.credit()) best = progress;
+    }
+    return best;
+}
+
 Progress best_progress(const TrialRecord& record) {
+    if (record.dimensions == 3) return best_progress_in_space(record);
     if (record.up.x() > 0.0) return progress_towards(record, 1);
     if (record.up.x() < 0.0) return progress_towards(record, -1);
     const Progress right = progress_towards(record, 1);

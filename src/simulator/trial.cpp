@@ -143,8 +143,10 @@ void Trial::settle_tick() {
         fail_with(status);
         return;
     }
-    const bool calm = scene_->kinetic_energy() < calm_energy(phenotype_->parts.size()) &&
-                      (!bout_ || bout_->is_calm());
+    const double calm_limit = progress_.record.dimensions == 3
+                                  ? calm_energy_in_space(scene_->mass())
+                                  : calm_energy(phenotype_->parts.size());
+    const bool calm = scene_->kinetic_energy() < calm_limit && (!bout_ || bout_->is_calm());
     progress_.calm_ticks = calm ? progress_.calm_ticks + 1 : 0;
     progress_.record.settle_time = static_cast<double>(progress_.total_ticks) * kBrainTick;
     const bool out_of_time =
@@ -262,7 +264,9 @@ void Trial::watch_body() {
 }
 
 void Trial::sample() {
-    progress_.record.samples.push_back({time(), scene_->center_of_mass(), scene_->bounds()});
+    MotionSample sample{time(), scene_->center_of_mass(), scene_->bounds()};
+    if (progress_.record.dimensions == 3) sample.supports = supports_of(*scene_);
+    progress_.record.samples.push_back(sample);
     add_to_digest();
 }
 

@@ -6,6 +6,7 @@
 #include "math/types.h"
 #include "simulator/contest/bout_distances.h"
 #include "simulator/jump_watch.h"
+#include "simulator/supports.h"
 #include "world/physics_scene.h"
 
 #include <cstddef>
@@ -70,7 +71,8 @@ private:
 struct MotionSample {
     double time = 0.0;  // s since the test began
     Vec3 center_of_mass = Vec3::Zero();
-    Bounds bounds;  // of all corners
+    Bounds bounds;           // of all corners
+    Supports supports = {};  // in space; 0 in the plane
 };
 
 struct TrialRecord {

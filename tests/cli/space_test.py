@@ -1,4 +1,4 @@
-"""Creatures in three dimensions: swimmers evolve, replay, are traced and drawn; the rest is refused."""
+"""Creatures in three dimensions: swimmers and walkers evolve, replay, are traced and drawn; the rest is refused."""
 
 import csv
 import json
@@ -17,7 +17,9 @@ size = 12
 [trial]
 duration = 3
 """
+WALK_3D = SMALL_3D.replace("swimming", "walking")
 DART = ROOT / "assets/creatures/dart.creature.json"
+WALKER = ROOT / "assets/creatures/walker.creature.json"
 
 
 class Space(ProgramTest):
@@ -40,7 +42,7 @@ class Space(ProgramTest):
         self.assertEqual((len(outputs), len(creatures)), (1, 1))
         creature = json.loads(creatures.pop())
         self.assertEqual((creature["version"], creature["dimensions"]), (4, 3))
-        self.assertEqual(creature["scored"]["simulator"], "3d-0.1")
+        self.assertEqual(creature["scored"]["simulator"], "3d-0.2")
         self.assertEqual(creature["scored"]["environment"]["dimensions"], 3)
 
     def test_a_run_in_space_that_is_resumed_is_the_run_in_one_go(self):
@@ -68,11 +70,39 @@ class Space(ProgramTest):
             turn = sum(float(row[f"part0_q{axis}"]) ** 2 for axis in "wxyz")
             self.assertAlmostEqual(turn, 1.0, places=6)
 
+    def test_walkers_in_space_keep_their_bits_on_the_ground(self):
+        self.write("walk.toml", WALK_3D)
+        self.run_well("evolve", "walk.toml", "-n", 4, "-o", "whole.cambrian", "--threads", 2)
+        self.run_well("evolve", "walk.toml", "-n", 2, "-o", "part.cambrian", "--threads", 1)
+        self.run_well("evolve", "--resume", "part.cambrian", "-n", 4, "--threads", 3)
+        for file in ["whole", "part"]:
+            self.run_well("verify", f"{file}.cambrian")
+            self.run_well("export", f"{file}.cambrian", "--champion", "-o", f"{file}.json")
+        whole, part = ((self.folder / f"{file}.json").read_bytes() for file in ["whole", "part"])
+        self.assertEqual(whole, part)
+        self.assertIn("replay verified", self.run_well("verify", "whole.json").stdout)
+        self.run_well("rescore", "whole.json", "--out", "again.creature.json")
+        self.run_well("rescore", "whole.cambrian")
+        score = json.loads(self.run_well("simulate", "whole.json", "--json", "--trace",
+                                         "walk.csv").stdout)
+        self.assertEqual(score["verdict"], "clean")
+        self.assertLess(score["audit"]["max_penetration"], 0.01)
+        self.assertLess(score["audit"]["contact_work"], 0.0)
+        with open(self.folder / "walk.csv", encoding="utf-8") as file:
+            heights = [float(row["mass_y"]) for row in csv.DictReader(file)]
+        self.assertGreater(min(heights), 0.0)
+
+    def test_a_planar_walker_is_lifted_onto_the_ground(self):
+        self.run_well("lift", WALKER, "-o", "walker.creature.json", "--depth", 0.3)
+        score = json.loads(self.run_well("simulate", "walker.creature.json", "--json").stdout)
+        self.assertEqual((score["unit"], score["verdict"]), ("BL/s", "clean"))
+        self.assertGreater(score["fitness"], 0.02)
+
     def test_what_is_not_built_in_space_is_refused_in_one_sentence(self):
         self.write("swim.toml", SMALL_3D)
         for setting, words in [
-                ("environment.ground=true", "contact with the ground is not built"),
-                ("goal.behavior=jumping", "other goals are not built"),
+                ("goal.behavior=flying", "flying is not built"),
+                ("goal.behavior=seeking", "seeking is not built"),
                 ("environment.light=true", "the light is not built"),
                 ("body.organs.deformer=true", "organs are not built"),
                 ("body.sensors.smell=true", "the sensor smell is not built"),

@@ -1,6 +1,9 @@
 #include "goals/goal.h"
+#include "math/angle.h"
 #include "support/catch.h"
 #include "support/records.h"
+
+#include <cmath>
 
 using namespace cambrian;
 using test::moving_box;
@@ -53,6 +56,51 @@ TEST_CASE("going there and back earns nothing", "[goals][walking]") {
     const auto record =
         moving_box(15.0, 1.0, 0.2, [](double t) { return Vec3(t < 9.0 ? t : 18.0 - t, 0.1, 0.0); });
     CHECK(walking_score(record) == 0.0);
+}
+
+namespace {
+
+// Returns the score in space of a disc, or of one on a slope that rises towards +x.
+double score_in_space(const std::function<Vec3(double)>& path, double rise = 0.0) {
+    TrialRecord record = moving_box(15.0, 0.8, 0.2, path);
+    record.dimensions = 3;
+    record.up = Vec3(rise, 1.0, 0.0).normalized();
+    return walking_score(record);
+}
+
+}  // namespace
+
+TEST_CASE("in space every direction is worth nearly the same", "[goals][walking]") {
+    for (int degrees = 0; degrees < 360; degrees += 5) {
+        const double turn = degrees * kPi / 180.0;
+        const auto walk = [&](double t) {
+            return Vec3(0.4 * t * std::cos(turn), 0.1, 0.4 * t * std::sin(turn));
+        };
+        const double score = score_in_space(walk);
+        CHECK(score <= 0.5 + 1e-12);
+        CHECK(score >= 0.5 * std::cos(kPi / 16.0) - 1e-12);
+        if (degrees % 90 == 0) CHECK(score == Approx(0.5));
+    }
+}
+
+TEST_CASE("in space a circle earns little", "[goals][walking]") {
+    // One body length across, once in 2.5 s.
+    const double speed = kPi / 2.5;
+    const auto circle = [](double t) {
+        const double turn = 2.0 * kPi * t / 2.5;
+        return Vec3(0.4 * std::cos(turn), 0.1, 0.4 * std::sin(turn));
+    };
+    CHECK(score_in_space(circle) < 0.1 * speed);
+}
+
+TEST_CASE("in space only the way uphill counts on a slope", "[goals][walking]") {
+    const auto along = [](const Vec3& speed) {
+        return [speed](double t) { return Vec3(t * speed + Vec3(0.0, 0.1, 0.0)); };
+    };
+    CHECK(score_in_space(along({0.4, 0.0, 0.0}), 0.1) == Approx(0.5));
+    CHECK(score_in_space(along({-0.4, 0.0, 0.0}), 0.1) == 0.0);
+    CHECK(score_in_space(along({0.0, 0.0, 0.4}), 0.1) == Approx(0.0).margin(1e-12));
+    CHECK(score_in_space(along({-0.4, 0.0, 0.0}), -0.1) == Approx(0.5));
 }
 
 TEST_CASE("an empty trial scores nothing", "[goals][walking]") {

@@ -45,13 +45,15 @@ TrialRecord ran_on(TrialRecord record, const Vec3& velocity) {
         next.center_of_mass += moved;
         next.bounds.low += moved;
         next.bounds.high += moved;
+        for (std::size_t k = 0; k < kHeadings; ++k)
+            next.supports[k] += moved.dot(headings()[k]);
         record.samples.push_back(next);
     }
     return record;
 }
 
 // Returns the directions for the rest of the trial: that of the motion so far, right, left, up, and
-// none.
+// none. Creatures in space may go on along any heading as well.
 std::array<Vec3, 5> promising_directions(const TrialRecord& record) {
     const Vec3 way = record.samples.back().center_of_mass - record.samples.front().center_of_mass;
     const double length = way.norm();
@@ -68,7 +70,7 @@ bool may_exceed(double threshold, const TrialRecord& so_far, const GoalKind& goa
         return goal.score(ran_on(so_far, speed * direction)).value > threshold;
     };
     if (std::any_of(directions.begin(), directions.end(), succeeds)) return true;
-    return so_far.dimensions == 3 && (succeeds(Vec3::UnitZ()) || succeeds(-Vec3::UnitZ()));
+    return so_far.dimensions == 3 && std::any_of(headings().begin(), headings().end(), succeeds);
 }
 
 Result<TerminableTrial> run_terminable_trial(std::shared_ptr<const Phenotype> phenotype,

@@ -1,8 +1,9 @@
 #include "evolution/evaluation/probe.h"
 
 #include "core/random.h"
+#include "creature/placement.h"
 #include "evolution/evaluation/trials.h"
-#include "math/angle.h"
+#include "math/elementary.h"
 
 #include <algorithm>
 
@@ -35,9 +36,10 @@ ExperimentSettings probed_world(const Probe& probe, const ExperimentSettings& se
     for (double* number :
          {&world.gravity, &world.friction, &world.viscosity_linear, &world.viscosity_quadratic})
         *number *= 1.0 + share * stream.uniform(-1.0, 1.0);
-    creature.root_angle = wrap_angle(creature.root_angle + share * stream.uniform(-1.0, 1.0));
+    const double turn = share * stream.uniform(-1.0, 1.0);
     if (world.has_ground)
         changed.world.tilt = settings.selection.confirm_tilt * stream.uniform(-1.0, 1.0);
+    turn_root(creature, turn, stream.uniform(-kPi, kPi));
     double& step = changed.world.scene.contact_step;
     if (probe.finer) step = std::max(std::min(step, kLeastContactStep), kFiner * step);
     return changed;

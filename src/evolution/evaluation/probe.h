@@ -25,7 +25,7 @@ std::vector<Probe> probes_of(const ExperimentSettings& settings, std::uint32_t g
 
 // Returns the settings of the probe's world. Gravity, friction and drag change by at most the share
 // in the settings. The creature is turned by at most as many radians. The ground slopes by at most
-// the angle in the settings.
+// the angle in the settings. In space the creature faces any way.
 ExperimentSettings probed_world(const Probe& probe, const ExperimentSettings& settings,
                                 Genome& creature);
 

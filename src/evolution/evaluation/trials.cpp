@@ -2,6 +2,7 @@
 
 #include "core/hash.h"
 #include "core/random.h"
+#include "creature/placement.h"
 #include "evolution/settings/trial_work.h"
 #include "math/angle.h"
 
@@ -26,7 +27,7 @@ JudgedTrial judge_jittered(const EvaluationRequest& request, const LightDraw& li
     changed.world.environment.friction *= jitter.friction_factor;
     changed.world.light = light;
     Genome tilted = *request.genome;
-    tilted.root_angle = wrap_angle(tilted.root_angle + jitter.tilt);
+    turn_root(tilted, jitter.tilt, jitter.heading);
     EvaluationRequest other = request;
     other.genome = std::make_shared<const Genome>(std::move(tilted));
     return judge_trial(other, changed, kinds, stop);
@@ -88,6 +89,7 @@ Jitter jitter_of(std::uint64_t trial_seed, int trial, const TrialSettings& setti
     Jitter jitter;
     jitter.friction_factor = 1.0 + settings.friction_jitter * stream.uniform(-1.0, 1.0);
     jitter.tilt = to_radians(settings.tilt_jitter) * stream.uniform(-1.0, 1.0);
+    jitter.heading = stream.uniform(-kPi, kPi);
     return jitter;
 }
 

@@ -19,7 +19,8 @@ TrialWorld first_trial_world(const ExperimentSettings& settings);
 // The change of world and creature in a trial; trial 0 has none.
 struct Jitter {
     double friction_factor = 1.0;
-    double tilt = 0.0;  // rad, added to the start pose
+    double tilt = 0.0;     // rad, added to the start pose
+    double heading = 0.0;  // rad, by which a creature in space is turned about the vertical first
 
     friend bool operator==(const Jitter&, const Jitter&) = default;
 };

@@ -35,9 +35,10 @@ constexpr std::array kSpaceUnits = {
 };
 
 // The senses that work in space.
-constexpr std::array<std::string_view, 10> kSensesOfSpace = {
+constexpr std::array<std::string_view, 13> kSensesOfSpace = {
     "joint",          "joint-2",      "joint-rate",       "effort",        "spin",
-    "contact-distal", "contact-left", "contact-proximal", "contact-right", "stretch"};
+    "contact-distal", "contact-left", "contact-proximal", "contact-right", "contact-front",
+    "contact-back",   "load",         "stretch"};
 
 Status refused(const char* place, const std::string& what) {
     return Error{fmt::format("{}: {} not built in three dimensions yet", place, what)};
@@ -79,11 +80,7 @@ void adapt_to_space(std::vector<SettingField>& fields) {
 }
 
 Status check_space(const Settings& s, const EvolutionKinds& kinds) {
-    if (s.goal != kGoalOfSpace)
-        return refused("[goal] behavior",
-                       fmt::format("{} is not \"{}\", and other goals are", s.goal, kGoalOfSpace));
-    if (s.world.environment.has_ground)
-        return refused("[environment] ground", "contact with the ground is");
+    if (!is_goal_of_space(s.goal)) return refused("[goal] behavior", fmt::format("{} is", s.goal));
     if (s.world.environment.has_light) return refused("[environment] light", "the light is");
     if (s.world.trial.has_cube) return refused("[trial] cube", "the cube is");
     if (s.expression.strict_overlap)

@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace cambrian {
+namespace {
+
+constexpr double kSettleLimitInSpace = 4.0;  // s; bodies fall over to more sides
+
+}  // namespace
 
 void adopt_defaults(ExperimentSettings& settings, const GoalKind& goal) {
     settings.world.environment = goal.default_environment();
@@ -10,6 +15,10 @@ void adopt_defaults(ExperimentSettings& settings, const GoalKind& goal) {
     settings.selection.confirmations = goal.default_confirmations;
     settings.terminate_early = goal.default_give_up;
     allow_senses(settings, goal);
+}
+
+bool is_goal_of_space(std::string_view goal) {
+    return goal == "walking" || goal == "jumping" || goal == kGoalOfSpace;
 }
 
 void adopt_space(TrialWorld& world) {
@@ -20,6 +29,7 @@ void adopt_space(TrialWorld& world) {
     environment.viscosity_linear *= scale;
     environment.viscosity_quadratic *= scale;
     world.scene.muscle_strength *= scale;
+    if (environment.has_ground) world.trial.settle_limit = kSettleLimitInSpace;
 }
 
 void adopt_space_defaults(ExperimentSettings& settings, const GoalRegistry& goals) {

@@ -3,10 +3,14 @@
 #include "evolution/settings/experiment_settings.h"
 #include "goals/goal.h"
 
+#include <string_view>
+
 namespace cambrian {
 
 // The goal of settings in space that name none.
 inline constexpr const char* kGoalOfSpace = "swimming";
+// Whether a goal is built in space.
+bool is_goal_of_space(std::string_view goal);
 
 // Puts a world of the plane into space. A planar creature that is 1 m deep would move as before
 // under the same numbers, and creatures in space have 1000 times the density.

@@ -35,5 +35,9 @@ inline constexpr int kTicksPerSample = 6;         // samples every 0.1 s
 inline double calm_energy(std::size_t parts) {
     return 0.001 * static_cast<double>(parts);
 }
+// The same of a creature in space with this mass, kg: at 0.14 m/s.
+inline double calm_energy_in_space(double mass) {
+    return 0.01 * mass;
+}
 
 }  // namespace cambrian
