@@ -109,14 +109,19 @@ Result<std::unique_ptr<Renderer>> Renderer::create() {
     if (!skin_painter) return skin_painter.error();
     Result<BackdropPainter> backdrop_painter = BackdropPainter::create();
     if (!backdrop_painter) return backdrop_painter.error();
-    return std::unique_ptr<Renderer>(
-        new Renderer(std::move(*shader), std::move(*skin_painter), std::move(*backdrop_painter)));
+    Result<SpacePainter> space_painter = SpacePainter::create();
+    if (!space_painter) return space_painter.error();
+    return std::unique_ptr<Renderer>(new Renderer(std::move(*shader), std::move(*skin_painter),
+                                                  std::move(*backdrop_painter),
+                                                  std::move(*space_painter)));
 }
 
-Renderer::Renderer(Shader shader, SkinPainter skin_painter, BackdropPainter backdrop_painter)
+Renderer::Renderer(Shader shader, SkinPainter skin_painter, BackdropPainter backdrop_painter,
+                   SpacePainter space_painter)
     : shader_(std::move(shader)),
       skin_painter_(std::move(skin_painter)),
-      backdrop_painter_(std::move(backdrop_painter)) {
+      backdrop_painter_(std::move(backdrop_painter)),
+      space_painter_(std::move(space_painter)) {
     scale_uniform_ = shader_.uniform("scale");
     pixel_uniform_ = shader_.uniform("pixel");
 }
@@ -147,10 +152,14 @@ void Renderer::draw(const SceneFrame& frame, const Camera& camera, const PixelRe
                     Baking baking) {
     const Viewport viewport{static_cast<double>(target.width), static_cast<double>(target.height)};
     glViewport(target.x, target.y, target.width, target.height);
-    if (frame.backdrop != nullptr)
+    if (frame.space != nullptr) {
+        space_painter_.draw(*frame.space, target);
+        glViewport(target.x, target.y, target.width, target.height);
+    } else if (frame.backdrop != nullptr) {
         backdrop_painter_.draw(*frame.backdrop, camera, target, baking);
-    else
+    } else {
         fill_rect(target, frame.background);
+    }
     const std::span<const Shape> shapes = frame.shapes;
     const std::size_t lowest =
         frame.skins.empty() ? shapes.size() : frame.skins.front().shapes_below;

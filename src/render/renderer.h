@@ -10,6 +10,7 @@
 #include "render/pixel_rect.h"
 #include "render/scene_frame.h"
 #include "render/skin_painter.h"
+#include "render/space_painter.h"
 
 #include <memory>
 #include <span>
@@ -31,13 +32,15 @@ public:
     bool take_unfinished() { return backdrop_painter_.take_unfinished(); }
 
 private:
-    Renderer(Shader shader, SkinPainter skin_painter, BackdropPainter backdrop_painter);
+    Renderer(Shader shader, SkinPainter skin_painter, BackdropPainter backdrop_painter,
+             SpacePainter space_painter);
     void collect(std::span<const Shape> shapes, const Camera& camera, const Viewport& viewport);
     void draw_shapes(std::span<const Shape> shapes, const Camera& camera, const Viewport& viewport);
 
     Shader shader_;
     SkinPainter skin_painter_;
     BackdropPainter backdrop_painter_;
+    SpacePainter space_painter_;
     VertexBuffer buffer_;
     std::vector<ShapeInstance> instances_;
     int scale_uniform_ = -1;

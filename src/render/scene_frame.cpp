@@ -76,6 +76,7 @@ void SceneFrame::clear() {
     skins.clear();
     skin_boxes.clear();
     light = {};
+    space = nullptr;
     detail = Detail::kFull;
 }
 

@@ -7,8 +7,10 @@
 #include "render/backdrop.h"
 #include "render/color.h"
 #include "render/skin.h"
+#include "render/space_frame.h"
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -38,6 +40,8 @@ struct SceneFrame {
     std::vector<Skin> skins;          // the same; each says how many shapes are behind it
     std::vector<SkinBox> skin_boxes;  // of all skins
     SkinLight light;
+    // What is in space, behind all shapes; it fills the view in place of a backdrop. Null for none.
+    std::shared_ptr<const SpaceFrame> space;
     Detail detail = Detail::kFull;
 
     void add_box(const Vec2& center, const Vec2& half_extents, const Color& fill);

@@ -8,7 +8,7 @@
 
 namespace cambrian {
 
-Result<PaintedTexture> PaintedTexture::create(int width, int height) {
+Result<PaintedTexture> PaintedTexture::create(int width, int height, Depth depth) {
     PaintedTexture result;
     result.width_ = width;
     result.height_ = height;
@@ -28,6 +28,13 @@ Result<PaintedTexture> PaintedTexture::create(int width, int height) {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, result.framebuffer_);
     glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
                            result.texture_, 0);
+    if (depth == Depth::kKept) {
+        glGenRenderbuffers(1, &result.depth_);
+        glBindRenderbuffer(GL_RENDERBUFFER, result.depth_);
+        glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+        glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                                  result.depth_);
+    }
     if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return refused;
     return result;
 }
@@ -35,12 +42,14 @@ Result<PaintedTexture> PaintedTexture::create(int width, int height) {
 PaintedTexture::PaintedTexture(PaintedTexture&& other) noexcept
     : framebuffer_(std::exchange(other.framebuffer_, 0)),
       texture_(std::exchange(other.texture_, 0)),
+      depth_(std::exchange(other.depth_, 0)),
       width_(other.width_),
       height_(other.height_) {}
 
 PaintedTexture& PaintedTexture::operator=(PaintedTexture&& other) noexcept {
     std::swap(framebuffer_, other.framebuffer_);
     std::swap(texture_, other.texture_);
+    std::swap(depth_, other.depth_);
     width_ = other.width_;
     height_ = other.height_;
     return *this;
@@ -49,6 +58,7 @@ PaintedTexture& PaintedTexture::operator=(PaintedTexture&& other) noexcept {
 PaintedTexture::~PaintedTexture() {
     if (framebuffer_ != 0) glDeleteFramebuffers(1, &framebuffer_);
     if (texture_ != 0) glDeleteTextures(1, &texture_);
+    if (depth_ != 0) glDeleteRenderbuffers(1, &depth_);
 }
 
 void PaintedTexture::bind_to_draw() const {

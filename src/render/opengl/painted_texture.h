@@ -8,8 +8,11 @@ namespace cambrian {
 // current OpenGL context throughout its lifetime.
 class PaintedTexture {
 public:
+    // Whether what is drawn later may be behind what is there.
+    enum class Depth : unsigned char { kNone, kKept };
+
     // The size is in texels, each way from 1 up.
-    static Result<PaintedTexture> create(int width, int height);
+    static Result<PaintedTexture> create(int width, int height, Depth depth = Depth::kNone);
     ~PaintedTexture();
     PaintedTexture(PaintedTexture&& other) noexcept;
     PaintedTexture& operator=(PaintedTexture&& other) noexcept;
@@ -26,6 +29,7 @@ private:
 
     unsigned framebuffer_ = 0;
     unsigned texture_ = 0;
+    unsigned depth_ = 0;
     int width_ = 0;
     int height_ = 0;
 };

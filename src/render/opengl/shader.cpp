@@ -52,6 +52,10 @@ void Shader::use() const {
     glUseProgram(program_);
 }
 
+void Shader::use_block(const char* name, unsigned place) const {
+    glUniformBlockBinding(program_, glGetUniformBlockIndex(program_, name), place);
+}
+
 int Shader::uniform(const char* name) const {
     return glGetUniformLocation(program_, name);
 }

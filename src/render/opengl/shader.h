@@ -15,6 +15,8 @@ public:
 
     void use() const;
     int uniform(const char* name) const;
+    // Lets a block of uniforms read the buffer that is bound at a place.
+    void use_block(const char* name, unsigned place) const;
 
 private:
     explicit Shader(unsigned program) : program_(program) {}
