@@ -92,7 +92,8 @@ Result<int> dimensions_of(const Subcommand& subcommand) {
         if (own == 3 && !subcommand.works_in_space())
             return Error{input.string() +
                          ": lives in three dimensions, in which this command does not work yet; "
-                         "evolve, simulate, verify, render, rescore, export and settings do"};
+                         "studio, view, evolve, simulate, verify, render, rescore, export and "
+                         "settings do"};
         if (dimensions != 0 && own != dimensions)
             return Error{fmt::format("{} lives in {} dimensions and {} in {}; expected one of both",
                                      first.string(), dimensions, input.string(), own)};

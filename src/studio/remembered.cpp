@@ -3,6 +3,7 @@
 #include "core/files/file_io.h"
 #include "core/text/parsed_number.h"
 #include "core/text/pretty_text.h"
+#include "persist/experiment/file_dimensions.h"
 #include "persist/settings/settings_file.h"
 #include "studio/experiment/timeline_plots.h"
 #include "studio/files/recent_runs.h"
@@ -206,6 +207,10 @@ Remembered recall(const std::filesystem::path& folder, const EvolutionKinds& kin
     if (const auto cluster = read_file(folder / "cluster.conf", kMostBytes))
         remembered.cluster = parse_cluster(*cluster);
     return remembered;
+}
+
+int remembered_dimensions(const std::filesystem::path& folder) {
+    return folder.empty() ? 2 : dimensions_of_file(settings_in(folder));
 }
 
 Status remember(const std::filesystem::path& folder, const Remembered& remembered,

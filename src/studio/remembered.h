@@ -31,6 +31,8 @@ struct Remembered {
 // Reads the state from a folder; missing or damaged parts have their defaults. A settings file that
 // cannot be read gets another name, so that it is not overwritten.
 Remembered recall(const std::filesystem::path& folder, const EvolutionKinds& kinds);
+// Returns in how many dimensions the settings in a folder live; 2 where there are none.
+int remembered_dimensions(const std::filesystem::path& folder);
 // Writes the state to a folder, which it creates if necessary.
 Status remember(const std::filesystem::path& folder, const Remembered& remembered,
                 const EvolutionKinds& kinds);

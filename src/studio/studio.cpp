@@ -2,6 +2,7 @@
 
 #include "core/stopwatch.h"
 #include "core/threads/thread_pool.h"
+#include "persist/experiment/file_dimensions.h"
 #include "pictures/card_picture.h"
 #include "render/renderer.h"
 #include "studio/actions/action.h"
@@ -21,6 +22,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -31,33 +34,75 @@ constexpr double kIdleSleep = 0.25;  // s between frames while nothing moves
 // Frames drawn after the last activity, for hover effects and layout.
 constexpr int kSettledFrames = 3;
 
+struct StudioKinds {
+    const EvolutionKinds& here;
+    const EvolutionKinds& elsewhere;
+};
+
+// A world of two or three dimensions, and its settings as they were when the user was there last.
+struct VisitedWorld {
+    StudioKinds kinds;
+    ExperimentSettings settings;
+};
+
+// What the user comes to a world for.
+struct Visit {
+    StudioOptions options;
+    bool begins = false;  // to begin a run there
+};
+
+// Changes the state from that in one world to that in another one.
+void enter(VisitedWorld& from, const VisitedWorld& to, Remembered& state) {
+    from.settings = std::exchange(state.settings, to.settings);
+    state.experiment.clear();
+}
+
+// Machines of a cluster know the plane only.
+ClusterJoining joining_in_space(const StudioOptions& options) {
+    if (!options.machines.join) return nullptr;
+    return [](const ClusterAddress&, const ThreadShare&) {
+        return Error{"clusters work in two dimensions only so far"};
+    };
+}
+
+// What outlives a visit.
+struct StudioHost {
+    Window& window;
+    Renderer& renderer;
+    FrameLog& frame_log;
+};
+
 class Studio {
 public:
-    Studio(const StudioOptions& options, const EvolutionKinds& kinds, Window& window,
-           Renderer& renderer)
-        : options_(options),
-          window_(window),
-          renderer_(renderer),
-          controller_(remembered(options, kinds), kinds, machines(options), options.status_log),
-          host_(window, renderer, scale(), controller_.view().theme),
-          main_window_(builtin_panels(), &renderer),
-          frame_log_(options.frame_log) {
-        if (options.viewer) controller_.window().be_viewer();
-        controller_.remember_in(options.state_dir);
-        controller_.use_assets(options.assets);
-        open_first_files();
-        const bool unasked = options.open_file.empty() && !options.evolve && !options.viewer;
+    // All must outlive it.
+    Studio(const Visit& visit, const Remembered& remembered, const StudioKinds& kinds,
+           const StudioHost& host)
+        : options_(visit.options),
+          window_(host.window),
+          renderer_(host.renderer),
+          controller_(remembered, kinds.here, machines(options_), options_.status_log,
+                      &kinds.elsewhere),
+          host_(window_, renderer_, scale(), controller_.view().theme),
+          main_window_(builtin_panels(), &renderer_),
+          frame_log_(host.frame_log) {
+        if (options_.viewer) controller_.window().be_viewer();
+        controller_.remember_in(options_.state_dir);
+        controller_.use_assets(options_.assets);
+        open_first_files(visit.begins);
+        const bool unasked =
+            options_.open_file.empty() && !options_.evolve && !options_.viewer && !visit.begins;
         if (unasked && !controller_.files().recent().empty())
             controller_.files().carry_out(ToggleStartPage{});
-        const bool first_look = !options.state_dir.empty() && options.open_file.empty();
-        if (first_look && !options.evolve) controller_.guide().offer_tour();
+        const bool first_look = !options_.state_dir.empty() && options_.open_file.empty();
+        if (first_look && !options_.evolve) controller_.guide().offer_tour();
     }
 
-    void run() {
+    // Returns the world to go on in, if the user left for another one.
+    std::optional<Crossing> run() {
         const Stopwatch clock;
         double last_start = 0.0;
         while (!window_.close_wanted() && !controller_.window().quit_wanted() &&
-               !options_.end.stop_requested()) {
+               !options_.end.stop_requested() && !controller_.files().crossing()) {
             wait_for_frame(clock, last_start);
             const double now = clock.seconds();
             frame_log_.begin_frame();
@@ -71,18 +116,18 @@ public:
             if (options_.quit_after > 0.0 && now > options_.quit_after) break;
         }
         controller_.keep_memory();
+        const std::optional<Crossing> crossing = controller_.files().crossing();
+        if (crossing) {
+            controller_.feedback().log().write("crossing", {{"path", crossing->file.string()}});
+            return crossing;
+        }
         controller_.feedback().log().write("quit");
         if (!options_.screenshot.empty()) take_picture(options_.screenshot);
+        return {};
     }
+    Remembered remembered() const { return controller_.remembered(); }
 
 private:
-    static Remembered remembered(const StudioOptions& options, const EvolutionKinds& kinds) {
-        Remembered remembered = recall(options.state_dir, kinds);
-        if (options.theme) remembered.view.theme = *options.theme;
-        if (options.scenery) remembered.view.scenery = *options.scenery;
-        return remembered;
-    }
-
     // Returns the size of the interface in pixels a unit.
     float scale() const {
         const double told = options_.drawing.scale;
@@ -97,11 +142,11 @@ private:
         return machines;
     }
 
-    void open_first_files() {
+    void open_first_files(bool begins) {
         const std::filesystem::path& file = options_.open_file;
         if (!file.empty()) {
             controller_.files().open_now(file, ExhibitSource::kFile);
-        } else if (!options_.evolve) {
+        } else if (!options_.evolve && !begins) {
             controller_.reopen_last();
         }
         if (controller_.frame_context().viewer.playback.empty()) controller_.show_founders();
@@ -219,7 +264,7 @@ private:
     StudioController controller_;
     ImGuiHost host_;
     MainWindow main_window_;
-    FrameLog frame_log_;
+    FrameLog& frame_log_;
     FramePace pace_;
     int quiet_frames_ = 0;
     int pictures_ = 0;  // number of the last one named by the studio
@@ -229,13 +274,37 @@ private:
 
 }  // namespace
 
-Status run_studio(const StudioOptions& options, const EvolutionKinds& kinds) {
+Status run_studio(const StudioOptions& options, const EvolutionKinds& plane,
+                  const EvolutionKinds& space) {
     auto window = Window::open(options.drawing.width, options.drawing.height, "Cambrian");
     if (!window) return window.error();
     auto renderer = Renderer::create();
     if (!renderer) return renderer.error();
-    Studio(options, kinds, **window, **renderer).run();
-    return {};
+    FrameLog frame_log(options.frame_log);
+    const int last = remembered_dimensions(options.state_dir);
+    std::map<int, VisitedWorld> worlds;
+    worlds.emplace(2, VisitedWorld{{plane, space}, {}});
+    worlds.emplace(3, VisitedWorld{{space, plane}, plain_defaults(space)});
+    Remembered state = recall(options.state_dir, worlds.at(last).kinds.here);
+    if (state.settings == ExperimentSettings{}) state.settings = worlds.at(last).settings;
+    if (options.theme) state.view.theme = *options.theme;
+    if (options.scenery) state.view.scenery = *options.scenery;
+    Visit visit{options, false};
+    int here = options.open_file.empty() ? last : dimensions_of_file(options.open_file);
+    if (here != last) enter(worlds.at(last), worlds.at(here), state);
+    while (true) {
+        visit.options.machines.join = here == 3 ? joining_in_space(options) : options.machines.join;
+        Studio studio(visit, state, worlds.at(here).kinds, {**window, **renderer, frame_log});
+        const std::optional<Crossing> crossing = studio.run();
+        if (!crossing) return {};
+        state = studio.remembered();
+        const int next = here == 3 ? 2 : 3;
+        enter(worlds.at(here), worlds.at(next), state);
+        here = next;
+        visit.options.open_file = crossing->file;
+        visit.options.evolve = false;
+        visit.begins = crossing->file.empty();
+    }
 }
 
 }  // namespace cambrian

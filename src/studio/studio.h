@@ -43,7 +43,9 @@ struct StudioOptions {
     std::filesystem::path state_dir;
 };
 
-// Runs until the window is closed. Fails without a display or OpenGL; the error has one line.
-Status run_studio(const StudioOptions& options, const EvolutionKinds& kinds);
+// Runs until the window is closed, in the world of the file to open or the one of last time. Fails
+// without a display or OpenGL; the error has one line.
+Status run_studio(const StudioOptions& options, const EvolutionKinds& plane,
+                  const EvolutionKinds& space);
 
 }  // namespace cambrian

@@ -42,9 +42,10 @@ struct StudioController::Router {
 
 StudioController::StudioController(const Remembered& remembered, const EvolutionKinds& kinds,
                                    const MachineOptions& machines,
-                                   const std::filesystem::path& status_log)
+                                   const std::filesystem::path& status_log,
+                                   const EvolutionKinds* elsewhere)
     : view_(remembered.view),
-      services_(kinds, status_log),
+      services_(kinds, elsewhere, status_log),
       window_(services_.feedback, view_),
       guide_(services_.shared, view_),
       viewer_(services_.shared, view_),
@@ -79,15 +80,18 @@ void StudioController::reopen_last() {
     if (!last.empty()) files_.reopen(last);
 }
 
+Remembered StudioController::remembered() const {
+    const OpenExperiment& experiment = experiment_.open();
+    return {view_,
+            experiment.editor().settled(),
+            files_.reopening() ? memory_.experiment() : experiment.files().chosen().string(),
+            machines_.memory(),
+            {},
+            files_.recent()};
+}
+
 void StudioController::keep_memory() {
-    const OpenExperiment& experiment = std::as_const(experiment_).open();
-    memory_.keep({view_,
-                  experiment.editor().settled(),
-                  files_.reopening() ? memory_.experiment() : experiment.files().chosen().string(),
-                  machines_.memory(),
-                  {},
-                  files_.recent()},
-                 services_.shared);
+    memory_.keep(remembered(), services_.shared);
 }
 
 void StudioController::use_assets(const std::filesystem::path& folder) {

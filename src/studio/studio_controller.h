@@ -20,15 +20,19 @@ namespace cambrian {
 
 class StudioController {
 public:
-    // `kinds` must outlive it.
+    // `kinds` are those of the remembered settings, and `elsewhere` those of the world with other
+    // dimensions, or null. Both must outlive it.
     StudioController(const Remembered& remembered, const EvolutionKinds& kinds,
-                     const MachineOptions& machines, const std::filesystem::path& status_log);
+                     const MachineOptions& machines, const std::filesystem::path& status_log,
+                     const EvolutionKinds* elsewhere = nullptr);
 
     // Stores arrangement, settings and experiment in a folder from now on, whenever they change.
     void remember_in(const std::filesystem::path& folder);
     // Reopens, in the background, the experiment that was open when the folder was last used.
     void reopen_last();
     void keep_memory();
+    // Returns what is stored of the present state.
+    Remembered remembered() const;
     // Sets the folder of the help pages and samples.
     void use_assets(const std::filesystem::path& folder);
     // Displays the founders of the run, so that the viewport is never empty.

@@ -36,7 +36,9 @@ constexpr std::array kNamedKeys = {
     NamedKey{"F12", GLFW_KEY_F12},       NamedKey{"←", GLFW_KEY_LEFT},
     NamedKey{"→", GLFW_KEY_RIGHT},       NamedKey{"↑", GLFW_KEY_UP},
     NamedKey{"↓", GLFW_KEY_DOWN},        NamedKey{"Plus", GLFW_KEY_EQUAL},
-    NamedKey{"Minus", GLFW_KEY_MINUS},
+    NamedKey{"Minus", GLFW_KEY_MINUS},   NamedKey{"Keypad 1", GLFW_KEY_KP_1},
+    NamedKey{"Keypad 3", GLFW_KEY_KP_3}, NamedKey{"Keypad 5", GLFW_KEY_KP_5},
+    NamedKey{"Keypad 7", GLFW_KEY_KP_7},
 };
 
 bool take_prefix(std::string_view& text, std::string_view prefix) {

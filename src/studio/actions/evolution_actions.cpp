@@ -44,6 +44,9 @@ bool undoes(const FrameContext& frame) {
 bool redoes(const FrameContext& frame) {
     return !frame.world_shown() && frame.can_redo();
 }
+bool in_plane(const FrameContext& frame) {
+    return !frame.in_space();
+}
 bool has_creatures(const FrameContext& frame) {
     return !frame.experiment.snapshot.population.empty();
 }
@@ -65,6 +68,8 @@ std::vector<Action> evolution_actions() {
         {"find-setting", "Ctrl+F or /", "Find a setting", asks<FindSetting{}>},
         {"new-run-random", "", "New run", asks<StartNewRun{}>, {}, {}, "From random creatures, with another seed."},
         {"new-run-same-seed", "", "New run with the same seed", asks<StartNewRun{false, true}>},
+        {"new-run-space", "", "New run in three dimensions", asks<BeginElsewhere{}>, in_plane, {}, "The run in two is kept."},
+        {"new-run-plane", "", "New run in two dimensions", asks<BeginElsewhere{}>, in_space, {}, "The run in three is kept."},
         {"new-run-these", "", "New run from these creatures", asks<StartNewRun{true}>, has_creatures},
         {"compare", "Ctrl+D", "Compare settings…", asks<ToggleComparison{}>},
         {"machines", "Ctrl+M", "Work on several machines…", asks<ToggleMachines{}>},

@@ -17,6 +17,10 @@ std::vector<Action> help_actions();
 std::vector<Action> picking_actions();
 std::vector<Action> preserve_actions();
 
+inline bool in_space(const FrameContext& frame) {
+    return frame.in_space();
+}
+
 // Closes the topmost card; returns false if none is open.
 bool close_card(const FrameContext& frame, Requests& out);
 

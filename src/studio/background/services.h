@@ -12,16 +12,25 @@
 namespace cambrian {
 
 struct Services {
-    const EvolutionKinds& kinds;
+    const EvolutionKinds& kinds;  // of the world that the studio is in
     BackgroundWorker& worker;
     Feedback& feedback;
+    // Those of the world with other dimensions; null where there is none, as in tests.
+    const EvolutionKinds* elsewhere = nullptr;
+
+    int dimensions() const { return kinds.creature.scene.dimensions; }
+    // Returns the kinds of a world with so many dimensions or, where there is none, those at hand.
+    const EvolutionKinds& kinds_in(int wanted) const {
+        return elsewhere != nullptr && wanted != dimensions() ? *elsewhere : kinds;
+    }
 };
 
 // The services of one studio, with the log of events at that path.
 struct OwnServices {
-    // `kinds` must outlive them.
-    OwnServices(const EvolutionKinds& kinds, const std::filesystem::path& status_log)
-        : feedback(status_log), shared{kinds, worker, feedback} {}
+    // All kinds must outlive them.
+    OwnServices(const EvolutionKinds& kinds, const EvolutionKinds* elsewhere,
+                const std::filesystem::path& status_log)
+        : feedback(status_log), shared{kinds, worker, feedback, elsewhere} {}
     OwnServices(const OwnServices&) = delete;
     OwnServices& operator=(const OwnServices&) = delete;
 

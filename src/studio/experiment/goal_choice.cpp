@@ -11,6 +11,10 @@ void change_goal(ExperimentSettings& settings, const GoalKind& before, const Goa
     adopt_defaults(old_defaults, before);
     ExperimentSettings new_defaults = settings;
     adopt_defaults(new_defaults, chosen);
+    if (settings.world.environment.dimensions == 3) {
+        adopt_space(old_defaults.world);
+        adopt_space(new_defaults.world);
+    }
     settings.goal = chosen.id;
     for (const SettingField& field : fields) {
         if (same_value(field, settings, old_defaults)) copy_value(field, new_defaults, settings);

@@ -1,5 +1,6 @@
 #include "studio/experiment/setting_presets.h"
 
+#include "evolution/settings/goal_defaults.h"
 #include "studio/experiment/settings_editor.h"
 #include "world/environment.h"
 
@@ -11,9 +12,16 @@ namespace {
 
 using Settings = ExperimentSettings;
 
-// Sets the medium and ground but keeps the density of bodies and the light.
-void change_world(Settings& settings, const Environment& medium) {
+// Sets the medium and ground but keeps the density of bodies and the light. `medium` is that of the
+// plane.
+void change_world(Settings& settings, Environment medium) {
     Environment& world = settings.world.environment;
+    if (world.dimensions == 3) {
+        TrialWorld space;
+        space.environment = medium;
+        adopt_space(space);
+        medium = space.environment;
+    }
     world.gravity = medium.gravity;
     world.gravity_direction = medium.gravity_direction;
     world.has_ground = medium.has_ground;

@@ -1,5 +1,7 @@
 #include "studio/experiment/settings_editor.h"
 
+#include "evolution/settings/goal_defaults.h"
+
 #include <utility>
 
 namespace cambrian {
@@ -46,6 +48,12 @@ void SettingsEditor::replace(ExperimentSettings settings) {
     past_.clear();
     future_.clear();
     draft_ = std::move(settings);
+}
+
+ExperimentSettings plain_defaults(const EvolutionKinds& kinds) {
+    ExperimentSettings settings;
+    if (kinds.creature.scene.dimensions == 3) adopt_space_defaults(settings, kinds.goals);
+    return settings;
 }
 
 }  // namespace cambrian

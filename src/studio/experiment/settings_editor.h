@@ -41,4 +41,7 @@ private:
     std::string open_field_;  // path of the field being edited, or empty
 };
 
+// Returns the settings that others are compared with to tell what the user changed.
+ExperimentSettings plain_defaults(const EvolutionKinds& kinds);
+
 }  // namespace cambrian

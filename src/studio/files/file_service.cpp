@@ -3,6 +3,7 @@
 #include "core/files/file_io.h"
 #include "persist/creature/creature_card.h"
 #include "persist/creature/png_file.h"
+#include "persist/experiment/file_dimensions.h"
 #include "persist/preserve/preserve_file.h"
 #include "persist/records/statistics_csv.h"
 #include "persist/settings/settings_file.h"
@@ -35,18 +36,12 @@ FileEvent loaded_settings(const std::filesystem::path& path, const EvolutionKind
     return SettingsLoaded{path, *std::move(settings)};
 }
 
-}  // namespace
-
-bool is_card_name(const std::filesystem::path& path) {
-    return path.extension() == ".png";
-}
-
-FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kinds) {
+FileEvent load_with(const EvolutionKinds& kinds, const std::filesystem::path& path) {
     const std::string name = path.filename().string();
     if (name.ends_with(".toml")) {
         return loaded_settings(path, kinds);
     }
-    if (name.ends_with(".json") || name.ends_with(".apng") || is_card_name(path)) {
+    if (name.ends_with(".json") || name.ends_with(".apng") || cambrian::is_card_name(path)) {
         auto document = load_creature(path, kinds);
         if (document) return CreatureLoaded{path, std::move(*document)};
         return FileFailed{path, document.error().message, true};
@@ -70,6 +65,22 @@ FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kin
                       true};
 }
 
+}  // namespace
+
+bool is_card_name(const std::filesystem::path& path) {
+    return path.extension() == ".png";
+}
+
+FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kinds,
+                    const EvolutionKinds* elsewhere) {
+    const bool abroad =
+        elsewhere != nullptr && dimensions_of_file(path) != kinds.creature.scene.dimensions;
+    FileEvent event = load_with(abroad ? *elsewhere : kinds, path);
+    // A file that cannot be read is no reason to leave this world.
+    if (abroad && !std::holds_alternative<FileFailed>(event)) return FileElsewhere{path};
+    return event;
+}
+
 template <class Work>
 void FileService::run(Work work) {
     worker_.submit([this, work = std::move(work)](const std::stop_token& stop) mutable {
@@ -79,7 +90,9 @@ void FileService::run(Work work) {
 }
 
 void FileService::load(const std::filesystem::path& path) {
-    run([path, &kinds = kinds_](const std::stop_token&) { return load_file(path, kinds); });
+    run([path, &kinds = kinds_, elsewhere = elsewhere_](const std::stop_token&) {
+        return load_file(path, kinds, elsewhere);
+    });
 }
 
 void FileService::save_creature(const std::filesystem::path& path, CreatureDocument document) {

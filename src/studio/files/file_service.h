@@ -42,6 +42,10 @@ struct PreserveLoaded {
     std::filesystem::path path;
     std::shared_ptr<OpenedWorld> world;
 };
+// A file of a world with other dimensions than that of the studio.
+struct FileElsewhere {
+    std::filesystem::path path;
+};
 struct FileSaved {
     std::filesystem::path path;
 };
@@ -64,7 +68,7 @@ struct FileFailed {
 };
 using FileEvent =
     std::variant<CreatureLoaded, SettingsLoaded, PreserveSettingsLoaded, ExperimentLoaded,
-                 PreserveLoaded, FileSaved, CardPrepared, FolderListed, FileFailed>;
+                 PreserveLoaded, FileElsewhere, FileSaved, CardPrepared, FolderListed, FileFailed>;
 
 struct CardOrder {
     std::filesystem::path path;
@@ -76,9 +80,10 @@ struct CardOrder {
 
 class FileService {
 public:
-    // Both references must outlive the object.
-    FileService(BackgroundWorker& worker, const EvolutionKinds& kinds)
-        : worker_(worker), kinds_(kinds) {}
+    // All must outlive the object; see load_file().
+    FileService(BackgroundWorker& worker, const EvolutionKinds& kinds,
+                const EvolutionKinds* elsewhere)
+        : worker_(worker), kinds_(kinds), elsewhere_(elsewhere) {}
 
     // Loads a creature, card, settings, experiment or preserve file; its name or content tells
     // which.
@@ -105,13 +110,16 @@ private:
 
     BackgroundWorker& worker_;
     const EvolutionKinds& kinds_;
+    const EvolutionKinds* elsewhere_;
     std::vector<FileEvent> events_;
 };
 
 // Returns whether a creature saved under this name becomes a card.
 bool is_card_name(const std::filesystem::path& path);
 
-// Loads a file and returns its event. The call blocks.
-FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kinds);
+// Loads a file and returns its event. The call blocks. A file that is not of the world of `kinds`
+// but can be read with those elsewhere, if there are any, is FileElsewhere.
+FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kinds,
+                    const EvolutionKinds* elsewhere = nullptr);
 
 }  // namespace cambrian

@@ -69,12 +69,14 @@ struct OpenRun {
 struct ForgetRun {
     std::filesystem::path path;
 };
+// Leaves for the world of other dimensions and begins a run there.
+struct BeginElsewhere {};
 
 using FilesRequest =
     std::variant<OpenFilePanel, CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile, SaveCell,
                  SaveResident, SavePiece, SavePreserveFile, SaveExperimentFile, OpenPreviousRun,
                  SaveSettingsFile, SaveStatisticsFile, SavePlotPicture, SaveScreenshot,
-                 ToggleSamples, WatchSample, ToggleStartPage, OpenRun, ForgetRun>;
+                 ToggleSamples, WatchSample, ToggleStartPage, OpenRun, ForgetRun, BeginElsewhere>;
 
 struct FilesView {
     const FileBrowser& browser;

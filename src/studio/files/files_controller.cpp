@@ -4,6 +4,7 @@
 #include "core/text/pretty_text.h"
 #include "evolution/evaluation/trials.h"
 #include "persist/creature/creature_card.h"
+#include "persist/experiment/file_dimensions.h"
 #include "studio/background/people_words.h"
 #include "studio/experiment/timeline_plots.h"
 #include "studio/files/creature_exhibit.h"
@@ -143,6 +144,9 @@ struct FilesController::Handler {
         if (request.path != self.subjects_.experiment.open().files().chosen())
             self.file_service_.load(request.path);
     }
+    void operator()(const BeginElsewhere&) const {
+        if (self.services_.elsewhere != nullptr) self.crossing_ = Crossing{};
+    }
     void operator()(const ForgetRun& request) const {
         std::erase(self.start_.paths, request.path);
         std::erase_if(self.start_.runs,
@@ -224,6 +228,10 @@ struct FilesController::Receiver {
         self.subjects_.preserve.open(std::move(*event.world));
         log("loaded", event.path);
     }
+    void operator()(const FileElsewhere& event) const {
+        self.reopening_ = false;
+        if (self.services_.elsewhere != nullptr) self.crossing_ = Crossing{event.path};
+    }
     void operator()(const FileSaved& event) const {
         log("saved", event.path);
         ++self.saves_;
@@ -247,7 +255,7 @@ FilesController::FilesController(const Services& services, ViewState& view,
     : services_(services),
       view_(view),
       subjects_(subjects),
-      file_service_(services.worker, services.kinds) {
+      file_service_(services.worker, services.kinds, services.elsewhere) {
     browser_.listing.folder = std::filesystem::current_path();
 }
 
@@ -260,7 +268,7 @@ void FilesController::watch_sample(const std::filesystem::path& path) {
                      [&](const Sample& each) { return each.path == path && each.phenotype; });
     if (sample == samples_.samples.end()) return;
     const ExperimentSettings& settings = *sample->creature.settings;
-    sample_motion_.emplace(services_.kinds.creature);
+    sample_motion_.emplace(sample->kinds->creature);
     sample_motion_->show({sample->creature.individual}, settings.expression,
                          first_trial_world(settings));
     samples_.motion = &*sample_motion_;
@@ -278,8 +286,8 @@ void FilesController::carry_out(const FilesRequest& request) {
 
 void FilesController::read_sample_folder() {
     services_.worker.submit(
-        [this, folder = samples_folder_, &kinds = services_.kinds](const std::stop_token&) {
-            auto found = read_samples(folder, kinds);
+        [this, folder = samples_folder_, services = services_](const std::stop_token&) {
+            auto found = read_samples(folder, services.kinds, services.elsewhere);
             return [this, found = std::move(found)] {
                 samples_.samples = found;
                 samples_.read = true;
@@ -294,7 +302,8 @@ void FilesController::read_runs() {
     start_.read = false;
     start_.runs.clear();
     for (const std::filesystem::path& path : start_.paths) {
-        services_.worker.submit([this, path, &kinds = services_.kinds](const std::stop_token&) {
+        services_.worker.submit([this, path, services = services_](const std::stop_token&) {
+            const EvolutionKinds& kinds = services.kinds_in(dimensions_of_file(path));
             return [this, run = read_run(path, kinds)] { start_.runs.push_back(run); };
         });
     }
@@ -308,7 +317,7 @@ void FilesController::read_runs() {
 }
 
 void FilesController::open_now(const std::filesystem::path& path, ExhibitSource source) {
-    FileEvent event = load_file(path, services_.kinds);
+    FileEvent event = load_file(path, services_.kinds, services_.elsewhere);
     auto* creature = std::get_if<CreatureLoaded>(&event);
     if (creature == nullptr) return std::visit(Receiver{*this}, event);
     show(creature->document, source, path);

@@ -32,6 +32,11 @@ struct PictureOrders {
     std::optional<PreparedCard> card;
 };
 
+// A way from a world into the one of other dimensions.
+struct Crossing {
+    std::filesystem::path file;  // to open there; empty to begin a run
+};
+
 class FilesController {
 public:
     // The references in `services`, and `view`, must outlive the controller.
@@ -57,6 +62,8 @@ public:
     // The runs that were used lately, the last one first.
     void use_recent(std::vector<std::filesystem::path> paths) { start_.paths = std::move(paths); }
     const std::vector<std::filesystem::path>& recent() const { return start_.paths; }
+    // Returns where the user wants to go, once it is another world than this one.
+    const std::optional<Crossing>& crossing() const { return crossing_; }
     // Whether reopen() is still reading.
     bool reopening() const { return reopening_; }
 
@@ -89,6 +96,7 @@ private:
     unsigned saves_ = 0;
     PictureOrders orders_;
     bool reopening_ = false;
+    std::optional<Crossing> crossing_;
 };
 
 }  // namespace cambrian

@@ -5,6 +5,7 @@
 #include "core/text/shown_score.h"
 #include "persist/creature/creature_card.h"
 #include "persist/creature/creature_file.h"
+#include "persist/experiment/file_dimensions.h"
 
 #include <fmt/core.h>
 
@@ -40,6 +41,7 @@ Sample read_sample(const std::filesystem::path& path, const EvolutionKinds& kind
     sample.account = account_of(*document, kinds);
     sample.hue = genome.hue;
     sample.creature = document->creature;
+    sample.kinds = &kinds;
     sample.phenotype = std::make_shared<const Phenotype>(
         express(genome, kinds.creature, settings.expression, settings.world.scene));
     return sample;
@@ -47,13 +49,18 @@ Sample read_sample(const std::filesystem::path& path, const EvolutionKinds& kind
 
 }  // namespace
 
-std::vector<Sample> read_samples(const std::filesystem::path& folder, const EvolutionKinds& kinds) {
+std::vector<Sample> read_samples(const std::filesystem::path& folder, const EvolutionKinds& kinds,
+                                 const EvolutionKinds* elsewhere) {
+    const auto kinds_of = [&](const std::filesystem::path& path) -> const EvolutionKinds& {
+        if (elsewhere == nullptr) return kinds;
+        return dimensions_of_file(path) == kinds.creature.scene.dimensions ? kinds : *elsewhere;
+    };
     std::vector<Sample> samples;
     std::error_code error;
     auto entry = std::filesystem::directory_iterator(folder, error);
     for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
         if (entry->path().filename().string().ends_with(kCreatureEnding))
-            samples.push_back(read_sample(entry->path(), kinds));
+            samples.push_back(read_sample(entry->path(), kinds_of(entry->path())));
     }
     const auto order = [](const Sample& each) {
         return std::make_tuple(each.phenotype == nullptr, each.title, each.path);

@@ -21,6 +21,7 @@ struct Sample {
     double hue = 0.0;
     std::shared_ptr<const Phenotype> phenotype;  // null if the file cannot be opened
     JudgedIndividual creature = {};              // with the settings of its file; the same
+    const EvolutionKinds* kinds = nullptr;       // of its world; the same
 };
 
 struct SampleLibrary {
@@ -33,7 +34,9 @@ struct SampleLibrary {
 };
 
 // Returns the creatures of a folder sorted by title, those that cannot be opened last. The result
-// is empty if the folder does not exist.
-std::vector<Sample> read_samples(const std::filesystem::path& folder, const EvolutionKinds& kinds);
+// is empty if the folder does not exist. Those of a world with other dimensions than that of
+// `kinds` need `elsewhere`.
+std::vector<Sample> read_samples(const std::filesystem::path& folder, const EvolutionKinds& kinds,
+                                 const EvolutionKinds* elsewhere = nullptr);
 
 }  // namespace cambrian

@@ -25,6 +25,8 @@ struct FrameContext {
     const PreserveView* preserve = nullptr;  // null while no preserve is open
     PreserveCardView preserve_card = {};
 
+    // Whether creatures live in three dimensions.
+    bool in_space() const { return kinds.creature.scene.dimensions == 3; }
     bool grid_shown() const { return picking != nullptr && !picking->single; }
     bool founders_shown() const {
         return coach.founders != nullptr && picking == nullptr && preserve == nullptr;

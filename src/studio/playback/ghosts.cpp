@@ -108,7 +108,8 @@ void Ghost::show(double share, double travel) {
     motion_.show(share);
     mirrored_.clear();
     const Environment& world = replay_->environment();
-    const bool symmetric = world.gravity_direction == -90.0 && !world.has_light;
+    const bool symmetric =
+        world.gravity_direction == -90.0 && !world.has_light && world.dimensions == 2;
     if (!symmetric || it_.travel * travel >= 0.0) return;
     for (const Pose& pose : motion_.poses())
         mirrored_.push_back(

@@ -24,6 +24,7 @@ void TrialReadings::begin(const Trial& trial) {
     signals_.clear();
     energy_.clear();
     dots_.clear();
+    dots_in_space_.clear();
     scuffs_.clear();
     remember_body(trial);
     if (!trial.settling()) posture_ = poses_;
@@ -48,7 +49,10 @@ void TrialReadings::add(const Trial& trial, std::size_t outputs) {
     remember_body(trial);
     if (!trial.settling() && tick == 0) posture_ = poses_;
     if (trial.settling() || tick == 0) return;
-    if (tick % kTicksADot == 0) dots_.push_back(trial.scene().center_of_mass().head<2>());
+    if (tick % kTicksADot == 0) {
+        dots_in_space_.push_back(trial.scene().center_of_mass());
+        dots_.emplace_back(dots_in_space_.back().head<2>());
+    }
     if (scuffs_.size() > kMostScuffs)
         scuffs_.erase(scuffs_.begin(), scuffs_.begin() + kMostScuffs / 2);
     const std::vector<FaceSet> touched = touched_faces(trial.scene());
@@ -59,6 +63,7 @@ void TrialReadings::add(const Trial& trial, std::size_t outputs) {
 void TrialReadings::go_back(const Trial& trial) {
     signals_.clear();
     dots_.resize(std::min<std::size_t>(dots_.size(), test_tick(trial) / kTicksADot));
+    dots_in_space_.resize(dots_.size());
     while (!scuffs_.empty() && scuffs_.back().time > trial.time())
         scuffs_.pop_back();
     remember_body(trial);
@@ -66,6 +71,10 @@ void TrialReadings::go_back(const Trial& trial) {
 
 std::span<const Vec2> TrialReadings::trail() const {
     return std::span(dots_).last(std::min(kTraceLength, dots_.size()));
+}
+
+std::span<const Vec3> TrialReadings::trail_in_space() const {
+    return std::span(dots_in_space_).last(std::min(kTraceLength, dots_in_space_.size()));
 }
 
 }  // namespace cambrian

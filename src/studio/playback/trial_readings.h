@@ -29,6 +29,7 @@ public:
     // Returns the last positions of the centre of mass in the test, in m, oldest first, one every
     // four ticks.
     std::span<const Vec2> trail() const;
+    std::span<const Vec3> trail_in_space() const;  // the same
     // Returns the parts' poses at the start of the test; empty until it was reached once.
     std::span<const Pose> posture() const { return posture_; }
     std::span<const Scuff> scuffs() const { return scuffs_; }  // of the test
@@ -39,6 +40,7 @@ private:
     SignalTrace signals_;
     EnergyTrace energy_;
     std::vector<Vec2> dots_;  // all positions since the start of the test
+    std::vector<Vec3> dots_in_space_;
     std::vector<Scuff> scuffs_;
     std::vector<Pose> posture_;
     std::vector<Pose> poses_;  // at the tick before

@@ -269,6 +269,14 @@ void PreserveController::update() {
 }
 
 void PreserveController::carry_out(const PreserveRequest& request) {
+    const bool enters = std::holds_alternative<TogglePreserveCard>(request) ||
+                        std::holds_alternative<BeginPreserve>(request);
+    if (enters && services_.dimensions() == 3) {
+        return services_.feedback.tell(
+            NoticeKind::kProblem,
+            "Preserves are flat: their creatures live in two dimensions. Edit > New run in two "
+            "dimensions leads there.");
+    }
     std::visit(Handler{{{*this}}}, request);
 }
 

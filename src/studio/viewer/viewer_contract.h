@@ -24,6 +24,11 @@ struct SeekPlayback {
 };
 // Moves and scales the camera so that the creature fits the viewport.
 struct FitView {};
+// The sides from which a creature in space can be looked at.
+enum class ViewSide : unsigned char { kSlanted, kFront, kRight, kTop };
+struct LookFrom {
+    ViewSide side = ViewSide::kSlanted;
+};
 struct PokePart {
     std::size_t part = 0;
     Vec3 point_in_part = Vec3::Zero();
@@ -57,8 +62,8 @@ struct FinishGeneEdit {};
 
 using ViewerRequest =
     std::variant<TogglePlayback, RestartPlayback, StepPlayback, StepPlaybackBack, SeekPlayback,
-                 FitView, PokePart, ReleasePoke, ForceNeuron, ReleaseNeuron, ShowHighlight,
-                 HoldShown, ShowExhibit, EditGenes, FinishGeneEdit>;
+                 FitView, LookFrom, PokePart, ReleasePoke, ForceNeuron, ReleaseNeuron,
+                 ShowHighlight, HoldShown, ShowExhibit, EditGenes, FinishGeneEdit>;
 
 struct ViewerView {
     const Playback& playback;
@@ -66,7 +71,9 @@ struct ViewerView {
     const GeneEditor* genes = nullptr;   // null if the creature cannot be edited
     std::span<const std::unique_ptr<Ghost>> ghosts = {};
     Highlight highlight = {};
-    unsigned fits_asked = 0;  // number of FitView requests so far
+    unsigned fits_asked = 0;             // number of FitView requests so far
+    unsigned sides_asked = 0;            // of LookFrom requests
+    ViewSide side = ViewSide::kSlanted;  // of the last of them
 };
 
 }  // namespace cambrian

@@ -33,6 +33,10 @@ struct ViewerController::Handler {
     }
     void operator()(const SeekPlayback& request) const { playback().seek(request.tick); }
     void operator()(const FitView&) const { ++self.facts_.fits_asked; }
+    void operator()(const LookFrom& request) const {
+        ++self.facts_.sides_asked;
+        self.facts_.side = request.side;
+    }
     // A part or neuron may be one of the creature that another request has just replaced.
     void operator()(const PokePart& request) const {
         if (playback().empty()) return;

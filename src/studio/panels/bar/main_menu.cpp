@@ -21,7 +21,8 @@ constexpr std::array kMenus = {
          "quit"},
     Menu{"Edit", "undo redo | palette find-setting | new-run-* evolve-shown"},
     Menu{"View",
-         "pick-by-hand | panel-* | follow newest-always fit | overlay-* | look-* | scenery-* | "
+         "pick-by-hand | panel-* | follow newest-always fit | side-* | overlay-* | look-* | "
+         "scenery-* | "
          "ghosts-* | rival | theme size-larger size-smaller size-100"},
     Menu{"Help", "help palette keys tour | about"}};
 

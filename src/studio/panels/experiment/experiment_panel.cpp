@@ -119,7 +119,7 @@ void ExperimentPanel::draw(const FrameContext& frame, Requests& out) {
     draw_filter(frame);
     draw_run_warning(frame, out);
     ExperimentSettings draft = frame.experiment.editor.draft();
-    ExperimentSettings defaults;
+    ExperimentSettings defaults = plain_defaults(frame.kinds);
     ImGui::BeginChild("settings", {0, 0}, false, ImGuiWindowFlags_NoBackground);
     const std::vector<Group> groups = list_groups(frame, draft, defaults);
     if (show_seen_ != frame.experiment.show_asked) seek(frame);
@@ -162,8 +162,21 @@ void ExperimentPanel::seek(const FrameContext& frame) {
     }
 }
 
+// Draws the choice between two and three dimensions as a row. Either has its own run.
+void ExperimentPanel::draw_dimensions(const FrameContext& frame, Requests& out) {
+    row_label("Dimensions (environment.dimensions)", false,
+              std::floor(ImGui::GetContentRegionAvail().x - px(kPlainControl)));
+    ImGui::SameLine(0.0F, 0.0F);
+    const int chosen = frame.in_space() ? 1 : 0;
+    const int pressed =
+        segmented("dimensions", {"Two", "Three"}, chosen,
+                  {"Bodies in a vertical plane", "Bodies of boxes in space, which swim"});
+    if (pressed >= 0 && pressed != chosen) out.ask(BeginElsewhere{});
+}
+
 // Draws the choice of a world as a row.
 void ExperimentPanel::draw_world(const FrameContext& frame, Requests& out) {
+    draw_dimensions(frame, out);
     const std::string table = "environment";
     float control = px(kPlainControl);
     for (const SettingPreset& preset : setting_presets(table))
@@ -203,7 +216,7 @@ void ExperimentPanel::draw_plain(const FrameContext& frame, Requests& out) {
 // Tells which settings differ from their defaults without being among the plain ones.
 void ExperimentPanel::draw_other_changes(const FrameContext& frame, Requests& out) {
     ExperimentSettings draft = frame.experiment.editor.draft();
-    ExperimentSettings defaults;
+    ExperimentSettings defaults = plain_defaults(frame.kinds);
     std::string names;
     int count = 0;
     for (const SettingField& field : frame.experiment.fields) {
@@ -334,9 +347,11 @@ bool ExperimentPanel::draw_header(const Group& group) {
 void ExperimentPanel::draw_group(const Group& group, const FrameContext& frame, Requests& out) {
     if (!draw_header(group)) return;
     ImGui::PushID(group.table.c_str());
+    if (group.table == "environment") draw_dimensions(frame, out);
     draw_presets(group.table, frame, out);
     for (const SettingField& field : frame.experiment.fields) {
         if (shown_table(field) != group.table || !field.group.empty()) continue;
+        if (path_of(field) == "environment.dimensions") continue;  // drawn above
         if (!field.applies || field.applies(frame.experiment.editor.draft()))
             draw_row(field, frame, out);
     }
@@ -383,7 +398,7 @@ void ExperimentPanel::light_up(const std::string& path) {
 
 void ExperimentPanel::draw_row(const SettingField& field, const FrameContext& frame,
                                Requests& out) {
-    ExperimentSettings defaults;
+    ExperimentSettings defaults = plain_defaults(frame.kinds);
     ExperimentSettings edited = frame.experiment.editor.draft();
     light_up(path_of(field));
     const RowEvent event =

@@ -25,6 +25,7 @@ private:
     void draw_run_warning(const FrameContext& frame, Requests& out);
     void draw_extent(const FrameContext& frame, Requests& out);
     void draw_filter(const FrameContext& frame);
+    static void draw_dimensions(const FrameContext& frame, Requests& out);
     static void draw_world(const FrameContext& frame, Requests& out);
     void draw_plain(const FrameContext& frame, Requests& out);
     void draw_other_changes(const FrameContext& frame, Requests& out);

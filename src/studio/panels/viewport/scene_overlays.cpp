@@ -11,10 +11,6 @@
 namespace cambrian {
 namespace {
 
-constexpr double kFullTorqueTurn = 2.2;  // rad; arc drawn for the largest torque of a motor
-// Length drawn for a force equal to the creature's weight, in m.
-constexpr double kForceLength = 1.0 / 3.0;
-
 Vec2 planar(const Vec3& point) {
     return point.head<2>();
 }

@@ -8,6 +8,10 @@
 
 namespace cambrian {
 
+inline constexpr double kFullTorqueTurn = 2.2;  // rad; arc for the largest torque of a motor
+// Length drawn for a force equal to the creature's weight, in m.
+inline constexpr double kForceLength = 1.0 / 3.0;
+
 // The creature as drawn and the scene that simulates it.
 struct OverlayScene {
     const CreatureLook& look;

@@ -9,6 +9,7 @@
 #include "pictures/scene/small_life.h"
 #include "pictures/scene/worlds.h"
 #include "studio/look/overlays.h"
+#include "studio/panels/viewport/axes_gizmo.h"
 #include "studio/panels/viewport/scene_overlays.h"
 #include "studio/panels/viewport/viewport_tools.h"
 #include "studio/widgets/widgets.h"
@@ -63,14 +64,6 @@ BoutLook bout_look(const Playback& playback) {
             shown.opponent().stretches(),
             world.opponents.hue_of_trial(world.light.trial),
             playback.exhibit().genome()->hue};
-}
-
-// Overlays of what is inside a body, and a hand that holds it, show it through its skin.
-LookMode shown_look(const FrameContext& frame) {
-    const OverlaysShown& over = frame.view.overlays;
-    const bool inside = over.forces || over.torques || over.limits || over.sensors || over.names ||
-                        frame.viewer.playback.creature().hold() != nullptr;
-    return frame.view.look == LookMode::kLife && inside ? LookMode::kGlass : frame.view.look;
 }
 
 Character shown_character(const FrameContext& frame) {
@@ -131,19 +124,50 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
     canvas_.frame.detail = detail_of(frame.window.scenery);
     canvas_.frame.background = colors().sky;
     if (!frame.viewer.playback.empty()) {
-        handle_mouse(frame, out);
-        place_camera(frame);
-        build_scene(frame);
+        if (frame.in_space()) {
+            draw_space(frame, out);
+        } else {
+            handle_mouse(frame, out);
+            place_camera(frame);
+            build_scene(frame);
+        }
     }
     canvas_.add_to(*ImGui::GetWindowDrawList());
     if (!frame.viewer.playback.empty()) {
-        draw_marks(frame);
-        draw_ghost_labels(frame);
+        if (frame.in_space()) {
+            draw_space_ghost_labels(frame);
+        } else {
+            draw_marks(frame);
+            draw_ghost_labels(frame);
+        }
         if (frame.view.overlays.names) draw_part_names(frame);
         draw_words(frame);
     }
     draw_viewport_tools(frame, canvas_.area, out);
+    if (frame.in_space() && !frame.viewer.playback.empty())
+        draw_axes_gizmo(space_.camera(), {at.x + room.x - px(0.5F * kGizmoSide + 10),
+                                          at.y + px(50 + 0.5F * kGizmoSide)});
     if (has_actions(frame)) draw_shown_actions(frame, {at.x + px(14), at.y + px(kActionsTop)}, out);
+}
+
+void ViewportPanel::draw_space(const FrameContext& frame, Requests& out) {
+    const Phenotype* shown = &frame.viewer.playback.creature().phenotype();
+    space_.handle_mouse(frame, canvas_, out);
+    space_.place_camera(frame, canvas_, std::exchange(seen_, shown) != shown,
+                        std::exchange(fit_wanted_, false));
+    space_.build_scene(frame, canvas_);
+}
+
+Vec2 ViewportPanel::on_canvas(const FrameContext& frame, const Vec3& point) const {
+    return frame.in_space() ? space_.on_canvas(point, canvas_) : Vec2(point.head<2>());
+}
+
+// Draws each ghost's name at its middle.
+void ViewportPanel::draw_space_ghost_labels(const FrameContext& frame) const {
+    for (const auto& ghost : frame.viewer.ghosts) {
+        if (!ghost->poses().empty())
+            draw_plate(on_canvas(frame, ghost->trial().scene().center_of_mass()), ghost->words());
+    }
 }
 
 Vec2 ViewportPanel::follow_target(const FrameContext& frame) const {
@@ -406,7 +430,8 @@ void ViewportPanel::draw_part_names(const FrameContext& frame) const {
     for (std::size_t i = 0; i < frame.viewer.playback.creature().motion().poses().size(); ++i) {
         const std::string name =
             i == 0 ? "root" : fmt::format("{} · gene {}", i, phenotype.parts[i].node);
-        const Vec2 at = frame.viewer.playback.creature().motion().poses()[i].position.head<2>();
+        const Vec2 at =
+            on_canvas(frame, frame.viewer.playback.creature().motion().poses()[i].position);
         const auto covers = [&](const Vec2& other) {
             return std::fabs(other.x() - at.x()) < 5.0 * line &&
                    std::fabs(other.y() - at.y()) < line;

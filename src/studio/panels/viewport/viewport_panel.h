@@ -3,6 +3,7 @@
 #include "pictures/scene/scene_builder.h"
 #include "studio/frame/panel.h"
 #include "studio/host/scene_canvas.h"
+#include "studio/panels/viewport/space_view.h"
 
 #include <memory>
 #include <string>
@@ -35,7 +36,13 @@ private:
     void draw_ghost_labels(const FrameContext& frame) const;
     std::string ghost_words(const Ghost& ghost, const WorldWindow& bounds, double here) const;
 
+    // Returns where the canvas has a point of the world.
+    Vec2 on_canvas(const FrameContext& frame, const Vec3& point) const;
+    void draw_space(const FrameContext& frame, Requests& out);
+    void draw_space_ghost_labels(const FrameContext& frame) const;
+
     SceneCanvas canvas_;
+    SpaceView space_;
     bool fit_wanted_ = true;
     unsigned fits_seen_ = 0;           // number of FitView requests handled so far
     const Phenotype* seen_ = nullptr;  // creature of the last frame; compared only

@@ -76,7 +76,8 @@ void draw_shown_actions(const FrameContext& frame, const ImVec2& at, Requests& o
         action("Evolve in its world",
                "The same, for the goal and in the world in which this creature is judged"))
         out.ask(EvolveShown{true});
-    if (action("Into a preserve", "Copies of it begin a closed world that goes on by itself"))
+    if (!frame.in_space() &&
+        action("Into a preserve", "Copies of it begin a closed world that goes on by itself"))
         out.ask(BeginPreserve{FounderChoice::kShown, false});
     if (action("Save it", "In a file of its own, or as a card (Ctrl+S)"))
         out.ask(OpenFilePanel{FileTask::kSaveCreature});
@@ -106,6 +107,13 @@ void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& 
         help_mark("viewport", out);
     }
     ImGui::PopStyleVar();
+}
+
+LookMode shown_look(const FrameContext& frame) {
+    const OverlaysShown& over = frame.view.overlays;
+    const bool inside = over.forces || over.torques || over.limits || over.sensors || over.names ||
+                        frame.viewer.playback.creature().hold() != nullptr;
+    return frame.view.look == LookMode::kLife && inside ? LookMode::kGlass : frame.view.look;
 }
 
 }  // namespace cambrian

@@ -13,4 +13,8 @@ void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& 
 // preserve, save it.
 void draw_shown_actions(const FrameContext& frame, const ImVec2& at, Requests& out);
 
+// Returns how the creature on display is seen. Overlays of what is inside a body, and a hand that
+// holds it, show it through its skin.
+LookMode shown_look(const FrameContext& frame);
+
 }  // namespace cambrian

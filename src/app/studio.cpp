@@ -1,5 +1,6 @@
 #include "studio/studio.h"
 
+#include "app/builtin_kinds.h"
 #include "app/cluster/cluster_options.h"
 #include "app/command_line/number_checks.h"
 #include "app/command_line/option_types.h"
@@ -73,19 +74,22 @@ public:
         add_login_files(files, cluster_);
         return files;
     }
+    bool works_in_space() const override { return true; }
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (!cluster_.servers.empty()) options_.machines.cluster = cluster_;
-        options_.machines.join = joining(kinds, options_.state_dir);
-        const Status shown = show(kinds);
+        const EvolutionKinds plane = builtin_kinds(2);
+        const EvolutionKinds space = builtin_kinds(3);
+        options_.machines.join = joining(plane, options_.state_dir);
+        const Status shown = show(plane, space);
         return shown ? ExitStatus::kDone : without_window_.run(shown.error(), kinds);
     }
 
 private:
     // Ctrl+C and termination requests close the window.
-    Status show(const EvolutionKinds& kinds) {
+    Status show(const EvolutionKinds& plane, const EvolutionKinds& space) {
         const Interruption interruption;
         options_.end = interruption.token();
-        return run_studio(options_, kinds);
+        return run_studio(options_, plane, space);
     }
 
     ClusterLogin cluster_;

@@ -1,3 +1,4 @@
+#include "app/builtin_kinds.h"
 #include "app/command_line/option_types.h"
 #include "app/command_line/window_options.h"
 #include "app/process/interruption.h"
@@ -29,13 +30,14 @@ public:
         add_window_options(app, options_);
     }
     CommandFiles files() const override { return window_files(options_).reads(options_.open_file); }
+    bool works_in_space() const override { return true; }
     ExitStatus run(const EvolutionKinds& kinds) override {
         const auto document = load_creature(options_.open_file, kinds);
         if (!document) return fail(document.error());
         options_.theme = theme_ == "light" ? ThemeKind::kLight : ThemeKind::kDark;
         const Interruption interruption;
         options_.end = interruption.token();
-        const Status shown = run_studio(options_, kinds);
+        const Status shown = run_studio(options_, builtin_kinds(2), builtin_kinds(3));
         return shown ? ExitStatus::kDone : fail(shown.error(), ExitStatus::kFailed);
     }
 
