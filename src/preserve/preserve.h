@@ -3,27 +3,15 @@
 // A closed world in which creatures feed, hunt, breed and die by themselves (preserve/README.md 1).
 // It is a function of settings, founders and seed: the number of threads has no influence.
 
-#include "core/random.h"
 #include "core/result.h"
 #include "core/threads/thread_pool.h"
-#include "evolution/kinds/evolution_kinds.h"
-#include "evolution/settings/experiment_settings.h"
-#include "evolution/settings/light_patches.h"
-#include "preserve/bodies/solid_bodies.h"
-#include "preserve/chronicle.h"
-#include "preserve/life/room.h"
-#include "preserve/series.h"
+#include "preserve/motion.h"
+#include "preserve/population.h"
+#include "preserve/preserve_world.h"
 #include "preserve/state.h"
-#include "preserve/world/common_senses.h"
-#include "preserve/world/drawn_walls.h"
 #include "preserve/world/meetings.h"
-#include "preserve/world/pellets.h"
 
-#include <map>
 #include <memory>
-#include <optional>
-#include <span>
-#include <string>
 #include <vector>
 
 namespace cambrian {
@@ -55,21 +43,21 @@ public:
     Result<std::uint64_t> intervene(Intervention asked);
 
     // The settings with which it began.
-    const SettingsPtr& settings() const { return settings_; }
+    const SettingsPtr& settings() const { return world_.settings; }
     // The same with all changes of laws so far.
-    const SettingsPtr& laws() const { return laws_; }
-    std::uint64_t ticks() const { return tick_; }
-    const Residents& residents() const { return residents_; }
-    const Pellets& plants() const { return plants_; }
-    const Pellets& flesh() const { return flesh_; }
-    const DrawnWalls& walls() const { return walls_; }
-    const std::vector<LightPatch>& patches() const { return patches_; }
-    Energy ambient() const { return ambient_; }
+    const SettingsPtr& laws() const { return world_.laws; }
+    std::uint64_t ticks() const { return world_.tick; }
+    const Residents& residents() const { return population_.living(); }
+    const Pellets& plants() const { return world_.energy.plants; }
+    const Pellets& flesh() const { return world_.energy.flesh; }
+    const DrawnWalls& walls() const { return world_.walls; }
+    const std::vector<LightPatch>& patches() const { return world_.patches; }
+    Energy ambient() const { return world_.energy.light; }
     Energy total_energy() const;  // the same in every tick
-    Energy founding_energy() const { return constant_; }
+    Energy founding_energy() const { return world_.energy.constant; }
     SeriesRow row() const;  // of the present moment
     // Of solid bodies since the preserve began or was resumed; 0 if bodies are ghostly.
-    SolidCounts solid_counts() const;
+    SolidCounts solid_counts() const { return motion_.counts(); }
 
     PreserveState save() const;
     // The tick of the last snapshot, which is taken at each rest and multiple of 60 s.
@@ -79,79 +67,21 @@ public:
 private:
     Preserve(SettingsPtr settings, const EvolutionKinds& kinds, std::vector<GenomePtr> founders);
     Status found();
-    void sow();
-    Result<std::uint64_t> carry_out(const Intervention& asked);
-    Result<std::uint64_t> serve(const Vec3& place);
-    Result<std::uint64_t> admit(const GenomePtr& genome, const Vec3& place);
-    Result<std::uint64_t> build_wall(const WallLine& wall);
-    Result<std::uint64_t> erase_wall(const Vec3& place);
-    Status change_law(const Intervention& asked);
-    void use_laws(SettingsPtr laws);
-    Status make_way(const DrawnWalls& walls);
-    void use_walls(std::vector<WallLine> lines);
-    void take_snapshot();
-    void rest();
-    bool adds_up(const PreserveState& state) const;
     Status restore(const PreserveState& state);
-
-    void live(ThreadPool& pool);
-    void move_solid(ThreadPool& pool);
-    void make_workspaces(std::size_t workers);
-    Room room() const { return {area_, walls_, residents_, solid_ != nullptr}; }
-    bool walls_have_images() const { return area_.torus().meets() && !walls_.lines().empty(); }
-    void surround(Resident& resident, const Bounds& bounds) const;
     void sense();
     void bite();
     void feed();
     void spend();
-    void bury(std::uint64_t tick);
-    void end_life(Resident& resident, std::uint64_t tick);
-    void breed();
-    void try_birth(Resident& parent);
-    void bear(Resident& parent, std::unique_ptr<Resident> child, RandomStream& stream);
-    void remember_lineage(std::uint64_t lineage);
-    void remember_parent();
-    void restock();
-    Vec3 draw_bright_place(RandomStream& draws) const;
-    void add_plant(RandomStream& draws);
-    void grow_plants();
     void record();
+    void take_snapshot();
+    void rest();
 
-    RandomStream stream(std::uint64_t index, std::uint64_t use) const;
-    Result<std::unique_ptr<Resident>> newcomer(std::size_t place, std::string method);
-    std::uint64_t newcomer_uid() const;
-    Energy price_of(const Resident& resident) const;
-    bool afford(const Resident& resident);
-    void settle(std::unique_ptr<Resident> resident);
-    void take_in(std::unique_ptr<Resident> resident);
-    void join_lineage(Resident& resident, const Resident* parent);
-    void feel_energy();
-    void forget_lineages();
-
-    SettingsPtr settings_;  // with which it began; residents refer to them
-    SettingsPtr laws_;      // the same with all changes so far
-    const EvolutionKinds& kinds_;
-    std::vector<GenomePtr> founders_;
-    WorldArea area_;
-    Energy constant_;
-    CommonSenses senses_;
-    DrawnWalls walls_;
-    std::vector<LightPatch> patches_;
-    Pellets plants_, flesh_;
-    Energy ambient_ = 0;
-    Residents residents_;
-    std::map<std::uint64_t, GenomePtr> lineages_;  // founders by number
-    std::uint64_t tick_ = 0;
-    std::uint64_t next_number_ = 1;
-    std::uint64_t attempts_ = 0;
-    std::uint64_t restocked_ = 0;
-    Tally tally_;
-    Chronicle chronicle_;
-    std::uint64_t snapshot_tick_ = 0;
+    PreserveWorld world_;
+    Population population_;
+    Motion motion_;
     Meetings meetings_;
-    std::unique_ptr<SolidBodies> solid_;  // if bodies are solid
     std::vector<Bounds> bounds_;
-    std::vector<std::unique_ptr<SceneWorkspace>> workspaces_;  // one for each worker
+    std::uint64_t snapshot_tick_ = 0;
 };
 
 }  // namespace cambrian

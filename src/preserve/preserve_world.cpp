@@ -1,0 +1,86 @@
+#include "preserve/preserve_world.h"
+
+#include "core/assert.h"
+#include "math/elementary.h"
+#include "preserve/world/walls.h"
+
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr std::uint64_t kTicksPerRot = 6;  // 0.1 s
+constexpr int kPlantPlaceDraws = 20;       // for a plant of a patch, within the world
+
+template <class Item>
+std::vector<Item> checked(Result<std::vector<Item>> items) {
+    CAMBRIAN_ASSERT(items.has_value(), "settings that were checked");
+    return *std::move(items);
+}
+
+Ledger founding_ledger(const PreserveSettings& settings, const WorldArea& area) {
+    const Energy all = energy_of(settings.energy_density * area.width * area.height);
+    return {all, all, Pellets(area.up_to(settings.plant_height)), Pellets(area.up_to(0.0))};
+}
+
+// Returns where a plant grows: anywhere or, if there are patches of light, around one of them. On
+// ground, the height of a plant does not depend on light.
+Vec3 draw_bright_place(const PreserveWorld& world, RandomStream& draws) {
+    const WorldArea& area = world.area;
+    const auto draw_y = [&] {
+        return area.has_ground ? world.settings->preserve.plant_height * draws.uniform()
+                               : area.height * (draws.uniform() - 0.5);
+    };
+    for (int draw = 0; draw < kPlantPlaceDraws && !world.patches.empty(); ++draw) {
+        const LightPatch& patch = world.patches[draws.below(world.patches.size())];
+        const double x = draws.gauss();
+        const double y = draws.gauss();
+        Vec3 place = patch.center + patch.spread * Vec3(x, y, 0.0);
+        if (area.has_ground) place.y() = draw_y();
+        if (area.holds(place, 0.0)) return place;
+    }
+    const double x = area.width * (draws.uniform() - 0.5);
+    return {x, draw_y(), 0.0};
+}
+
+}  // namespace
+
+PreserveWorld::PreserveWorld(SettingsPtr founding, const EvolutionKinds& all_kinds)
+    : settings(std::move(founding)),
+      laws(settings),
+      kinds(all_kinds),
+      area(area_of(settings->preserve, settings->world.environment)),
+      senses(area, settings->world.environment),
+      walls(checked(walls_of(settings->preserve.walls)), area.torus()),
+      patches(checked(patches_of(settings->preserve.patches))),
+      energy(founding_ledger(settings->preserve, area)) {}
+
+std::uint64_t PreserveWorld::seed(std::uint64_t index, PreserveUse use) const {
+    return stream_seed(settings->seed, index, static_cast<std::uint64_t>(use), Purpose::kPreserve);
+}
+
+void PreserveWorld::sow() {
+    RandomStream draws = stream(0, PreserveUse::kSowing);
+    const Energy after = energy.light / 2;
+    const Energy plant = energy_of(settings->preserve.plant_energy);
+    while (energy.light - plant >= after)
+        energy.add_plant(draw_bright_place(*this, draws), plant);
+}
+
+void PreserveWorld::grow_plants() {
+    const PreserveSettings& rules = laws->preserve;
+    const Energy plant = energy_of(rules.plant_energy);
+    const double expected =
+        joules(energy.light) / (rules.growth_time * rules.plant_energy) * kBrainTick;
+    RandomStream draws = stream(tick, PreserveUse::kGrowth);
+    auto count = static_cast<std::uint64_t>(expected);
+    if (draws.chance(expected - static_cast<double>(count))) ++count;
+    for (; count > 0 && energy.light >= plant; --count)
+        energy.add_plant(draw_bright_place(*this, draws), plant);
+    if (tick % kTicksPerRot != 0) return;
+    const double time = kTicksPerRot * kBrainTick;
+    energy.light +=
+        energy.flesh.rot(1.0 - exponential(-logarithm(2.0) * time / rules.flesh_half_life));
+}
+
+}  // namespace cambrian
