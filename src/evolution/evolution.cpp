@@ -149,7 +149,7 @@ void Evolution::record_generation() {
         termination_audit_.finished +=
             result->terminable && result->outcome == Outcome::kCompleted ? 1 : 0;
     statistics.giving_up_distrusted = !termination_audit_.trustworthy();
-    const MapCoverage coverage = map_coverage(population_, settings_->selection);
+    const MapCoverage coverage = map_coverage(population_, *settings_);
     statistics.filled_cells = coverage.filled_cells;
     statistics.quality = coverage.quality;
     if (!history_.empty() && !judged_anew_) continue_progress(statistics, history_.back());

@@ -26,6 +26,16 @@ TEST_CASE("mass is sorted into ten bins of equal ratio from 20 g to 20 kg", "[ev
     CHECK(bin_on(mass, of_mass(1e9)) == 9);
 }
 
+TEST_CASE("in space, masses from 0.5 kg to 2 t are told apart", "[evolution][map]") {
+    ExperimentSettings settings;
+    settings.selection.map_up = "mass";
+    settings.world.environment.dimensions = 3;
+    CHECK(cell_of(of_mass(0.4), settings).up == 0);
+    CHECK(cell_of(of_mass(31.0), settings).up == 4);
+    CHECK(cell_of(of_mass(32.0), settings).up == 5);
+    CHECK(cell_of(of_mass(1900.0), settings).up == 9);
+}
+
 TEST_CASE("every number of parts has a bin of its own", "[evolution][map]") {
     for (int parts = 1; parts <= 16; ++parts) {
         EvaluationResult result;
@@ -43,7 +53,7 @@ TEST_CASE("coverage counts cells and sums the best of each", "[evolution][map]")
         if (i == 4) changed.result.outcome = Outcome::kDisqualified;
         all[i] = std::make_shared<const Individual>(changed);
     }
-    const MapCoverage coverage = map_coverage(all, SelectionSettings{});
+    const MapCoverage coverage = map_coverage(all, ExperimentSettings{});
     CHECK(coverage.filled_cells == 3);
     CHECK(coverage.quality == 8.0);
 }

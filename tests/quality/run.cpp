@@ -68,7 +68,7 @@ public:
         std::vector<IndividualPtr> elites;
         for (const auto& [cell, elite] : archive_)
             elites.push_back(elite);
-        const MapCoverage coverage = map_coverage(elites, settings.selection);
+        const MapCoverage coverage = map_coverage(elites, settings);
         result_.cells = coverage.filled_cells;
         result_.quality = coverage.quality;
         result_.invalid_share /= std::max(1, result_.generations);
@@ -104,7 +104,7 @@ private:
     }
 
     void keep_elite(const IndividualPtr& creature, const ExperimentSettings& settings) {
-        IndividualPtr& elite = archive_[cell_of(creature->result, settings.selection)];
+        IndividualPtr& elite = archive_[cell_of(creature->result, settings)];
         if (!elite || better(*creature, *elite)) elite = creature;
     }
 

@@ -11,11 +11,16 @@
 namespace cambrian {
 namespace {
 
+double mass_of(const EvaluationResult& result) {
+    return result.mass;
+}
+
+constexpr MapAxis kMassInSpace = {"mass", "Mass", 10, 0.5, 2000.0, true, mass_of};
+
 constexpr std::array kAxes = {
     MapAxis{"parts", "Parts", 16, 0.5, 16.5, false,
             [](const EvaluationResult& result) { return static_cast<double>(result.parts); }},
-    MapAxis{"mass", "Mass", 10, 0.02, 20.0, true,
-            [](const EvaluationResult& result) { return result.mass; }},
+    MapAxis{"mass", "Mass", 10, 0.02, 20.0, true, mass_of},
     MapAxis{"height", "Height / body length", 10, 0.0, 1.0, false,
             [](const EvaluationResult& result) {
                 return result.body_length > 0.0
@@ -38,7 +43,8 @@ std::span<const MapAxis> map_axes() {
     return kAxes;
 }
 
-const MapAxis& map_axis(std::string_view id) {
+const MapAxis& map_axis(std::string_view id, int dimensions) {
+    if (dimensions == 3 && id == kMassInSpace.id) return kMassInSpace;
     const auto* const found = std::find_if(kAxes.begin(), kAxes.end(),
                                            [&](const MapAxis& axis) { return axis.id == id; });
     CAMBRIAN_ASSERT(found != kAxes.end(), "settings were checked");
@@ -53,13 +59,14 @@ int bin_on(const MapAxis& axis, const EvaluationResult& result) {
     return static_cast<int>(std::clamp(std::floor(share * axis.bins), 0.0, axis.bins - 1.0));
 }
 
-MapCell cell_of(const EvaluationResult& result, const SelectionSettings& settings) {
-    return {bin_on(map_axis(settings.map_across), result),
-            bin_on(map_axis(settings.map_up), result)};
+MapCell cell_of(const EvaluationResult& result, const ExperimentSettings& settings) {
+    const int dimensions = settings.world.environment.dimensions;
+    return {bin_on(map_axis(settings.selection.map_across, dimensions), result),
+            bin_on(map_axis(settings.selection.map_up, dimensions), result)};
 }
 
 MapCoverage map_coverage(std::span<const IndividualPtr> population,
-                         const SelectionSettings& settings) {
+                         const ExperimentSettings& settings) {
     std::map<MapCell, double> best;
     for (const IndividualPtr& individual : population) {
         if (individual->result.outcome != Outcome::kCompleted) continue;

@@ -24,7 +24,8 @@ struct MapAxis {
 };
 
 std::span<const MapAxis> map_axes();
-const MapAxis& map_axis(std::string_view id);  // the id must be known
+// The id must be known. Masses have another range in three dimensions than in two.
+const MapAxis& map_axis(std::string_view id, int dimensions = 2);
 
 int bin_on(const MapAxis& axis, const EvaluationResult& result);
 
@@ -38,7 +39,7 @@ struct MapCell {
     }
 };
 
-MapCell cell_of(const EvaluationResult& result, const SelectionSettings& settings);
+MapCell cell_of(const EvaluationResult& result, const ExperimentSettings& settings);
 
 // The coverage of the map by a population. `filled_cells` counts cells with a completed creature;
 // `quality` is the QD-score, the sum of the best fitness, at least 0, of each.
@@ -48,6 +49,6 @@ struct MapCoverage {
 };
 
 MapCoverage map_coverage(std::span<const IndividualPtr> population,
-                         const SelectionSettings& settings);
+                         const ExperimentSettings& settings);
 
 }  // namespace cambrian

@@ -24,7 +24,7 @@ bool takes_over(const Individual& challenger, const Individual& holder) {
 // Returns the fittest of each cell, in the order of the ranking; the very best if no cell is
 // filled.
 std::vector<std::size_t> elites_of(std::span<const IndividualPtr> ranked,
-                                   const SelectionSettings& settings) {
+                                   const ExperimentSettings& settings) {
     std::map<MapCell, std::size_t> holders;
     for (std::size_t i = 0; i < ranked.size(); ++i) {
         if (ranked[i]->result.outcome != Outcome::kCompleted) continue;
@@ -43,7 +43,7 @@ std::vector<std::size_t> elites_of(std::span<const IndividualPtr> ranked,
 SelectionResult select_by_map(std::span<const IndividualPtr> ranked,
                               const ExperimentSettings& settings, SelectionMemory& /*memory*/,
                               RandomStream& stream) {
-    std::vector<std::size_t> elites = elites_of(ranked, settings.selection);
+    std::vector<std::size_t> elites = elites_of(ranked, settings);
     const double best = ranked[elites.front()]->result.fitness;
     std::vector<double> weights(ranked.size(), 0.0);
     for (const std::size_t elite : elites) {
