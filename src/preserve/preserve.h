@@ -5,9 +5,9 @@
 
 #include "core/result.h"
 #include "core/threads/thread_pool.h"
-#include "preserve/motion.h"
 #include "preserve/population.h"
 #include "preserve/preserve_world.h"
+#include "preserve/resident_motion.h"
 #include "preserve/state.h"
 #include "preserve/world/meetings.h"
 
@@ -78,7 +78,7 @@ private:
 
     PreserveWorld world_;
     Population population_;
-    Motion motion_;
+    ResidentMotion motion_;
     Meetings meetings_;
     std::vector<Bounds> bounds_;
     std::uint64_t snapshot_tick_ = 0;

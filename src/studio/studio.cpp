@@ -98,7 +98,7 @@ public:
     }
 
     // Returns the world to go on in, if the user left for another one.
-    std::optional<Crossing> run() {
+    std::optional<SpaceCrossing> run() {
         const Stopwatch clock;
         double last_start = 0.0;
         while (!window_.close_wanted() && !controller_.window().quit_wanted() &&
@@ -116,7 +116,7 @@ public:
             if (options_.quit_after > 0.0 && now > options_.quit_after) break;
         }
         controller_.keep_memory();
-        const std::optional<Crossing> crossing = controller_.files().crossing();
+        const std::optional<SpaceCrossing> crossing = controller_.files().crossing();
         if (crossing) {
             controller_.feedback().log().write("crossing", {{"path", crossing->file.string()}});
             return crossing;
@@ -295,7 +295,7 @@ Status run_studio(const StudioOptions& options, const EvolutionKinds& plane,
     while (true) {
         visit.options.machines.join = here == 3 ? joining_in_space(options) : options.machines.join;
         Studio studio(visit, state, worlds.at(here).kinds, {**window, **renderer, frame_log});
-        const std::optional<Crossing> crossing = studio.run();
+        const std::optional<SpaceCrossing> crossing = studio.run();
         if (!crossing) return {};
         state = studio.remembered();
         const int next = here == 3 ? 2 : 3;

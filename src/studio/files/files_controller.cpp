@@ -145,7 +145,7 @@ struct FilesController::Handler {
             self.file_service_.load(request.path);
     }
     void operator()(const BeginElsewhere&) const {
-        if (self.services_.elsewhere != nullptr) self.crossing_ = Crossing{};
+        if (self.services_.elsewhere != nullptr) self.crossing_ = SpaceCrossing{};
     }
     void operator()(const ForgetRun& request) const {
         std::erase(self.start_.paths, request.path);
@@ -230,7 +230,7 @@ struct FilesController::Receiver {
     }
     void operator()(const FileElsewhere& event) const {
         self.reopening_ = false;
-        if (self.services_.elsewhere != nullptr) self.crossing_ = Crossing{event.path};
+        if (self.services_.elsewhere != nullptr) self.crossing_ = SpaceCrossing{event.path};
     }
     void operator()(const FileSaved& event) const {
         log("saved", event.path);

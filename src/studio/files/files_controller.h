@@ -33,7 +33,7 @@ struct PictureOrders {
 };
 
 // A way from a world into the one of other dimensions.
-struct Crossing {
+struct SpaceCrossing {
     std::filesystem::path file;  // to open there; empty to begin a run
 };
 
@@ -63,7 +63,7 @@ public:
     void use_recent(std::vector<std::filesystem::path> paths) { start_.paths = std::move(paths); }
     const std::vector<std::filesystem::path>& recent() const { return start_.paths; }
     // Returns where the user wants to go, once it is another world than this one.
-    const std::optional<Crossing>& crossing() const { return crossing_; }
+    const std::optional<SpaceCrossing>& crossing() const { return crossing_; }
     // Whether reopen() is still reading.
     bool reopening() const { return reopening_; }
 
@@ -96,7 +96,7 @@ private:
     unsigned saves_ = 0;
     PictureOrders orders_;
     bool reopening_ = false;
-    std::optional<Crossing> crossing_;
+    std::optional<SpaceCrossing> crossing_;
 };
 
 }  // namespace cambrian

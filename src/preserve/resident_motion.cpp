@@ -1,4 +1,4 @@
-#include "preserve/motion.h"
+#include "preserve/resident_motion.h"
 
 #include "core/assert.h"
 #include "preserve/world/walls.h"
@@ -7,20 +7,20 @@
 
 namespace cambrian {
 
-Motion::Motion(const PreserveWorld& world) : world_(world) {
+ResidentMotion::ResidentMotion(const PreserveWorld& world) : world_(world) {
     if (is_solid(world.settings->preserve))
         solid_ = std::make_unique<SolidBodies>(world.kinds.creature.scene, world.area.torus());
 }
 
-void Motion::forget() {
+void ResidentMotion::forget() {
     if (solid_) solid_->forget();
 }
 
-SolidCounts Motion::counts() const {
+SolidCounts ResidentMotion::counts() const {
     return solid_ ? solid_->counts() : SolidCounts{};
 }
 
-void Motion::advance(const Residents& residents, ThreadPool& pool) {
+void ResidentMotion::advance(const Residents& residents, ThreadPool& pool) {
     make_workspaces(residents, pool.workers());
     if (solid_) return advance_solid(residents, pool);
     pool.parallel_for(residents.size(), [&](std::size_t index, std::size_t worker) {
@@ -30,7 +30,7 @@ void Motion::advance(const Residents& residents, ThreadPool& pool) {
     });
 }
 
-void Motion::advance_solid(const Residents& residents, ThreadPool& pool) {
+void ResidentMotion::advance_solid(const Residents& residents, ThreadPool& pool) {
     std::vector<SolidBody> bodies;
     for (const auto& each : residents)
         bodies.push_back({.number = each->life.number,
@@ -49,17 +49,17 @@ void Motion::advance_solid(const Residents& residents, ThreadPool& pool) {
     solid_->advance(bodies, kBrainTick, acts, workspaces_, pool);
 }
 
-bool Motion::walls_have_images() const {
+bool ResidentMotion::walls_have_images() const {
     return world_.area.torus().meets() && !world_.walls.lines().empty();
 }
 
 // Gives a resident the images of the walls that bodies within these bounds can reach. Where edges
 // do not meet, all have the same walls.
-void Motion::surround(Resident& resident, const Bounds& bounds) const {
+void ResidentMotion::surround(Resident& resident, const Bounds& bounds) const {
     resident.surround_by(world_.walls.boxes_around(bounds));
 }
 
-void Motion::make_workspaces(const Residents& residents, std::size_t workers) {
+void ResidentMotion::make_workspaces(const Residents& residents, std::size_t workers) {
     workspaces_.resize(std::max(workspaces_.size(), workers));
     for (std::size_t worker = 0; worker < workers && !residents.empty(); ++worker) {
         if (workspaces_[worker]) continue;

@@ -10,9 +10,9 @@
 
 namespace cambrian {
 
-class Motion {
+class ResidentMotion {
 public:
-    explicit Motion(const PreserveWorld& world);
+    explicit ResidentMotion(const PreserveWorld& world);
 
     void advance(const Residents& residents, ThreadPool& pool);
     // Forgets contacts of solid bodies, as after a snapshot.
