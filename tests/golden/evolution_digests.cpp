@@ -2,6 +2,7 @@
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
 #include "evolution/individual/population_digest.h"
+#include "evolution/settings/goal_defaults.h"
 #include "golden/founders.h"
 #include "golden/golden.h"
 #include "support/kinds.h"
@@ -10,6 +11,7 @@ namespace cambrian::golden {
 namespace {
 
 constexpr std::uint32_t kGenerations = 20;
+constexpr std::uint32_t kGenerationsInSpace = 4;
 constexpr double kTrialOfRun = 3.0;  // s
 
 // Returns the settings of run.toml, with which tests/cli/same_bits_test.py runs the program.
@@ -23,27 +25,40 @@ SettingsPtr settings() {
     return made;
 }
 
-void add_evolution(Digests& digests, std::size_t threads) {
-    const auto backend = make_thread_pool_backend(test::kinds(), threads);
-    Evolution evolution(settings(), test::kinds());
+SettingsPtr settings_in_space() {
+    auto made = std::make_shared<ExperimentSettings>();
+    adopt_space_defaults(*made, test::spatial_kinds().goals);
+    made->seed = 31;
+    made->population.size = 12;
+    made->world.trial.duration = kTrialOfRun;
+    return made;
+}
+
+void add_evolution(Digests& digests, const std::string& name, const EvolutionKinds& kinds,
+                   SettingsPtr settings, std::uint32_t generations, std::size_t threads) {
+    const auto backend = make_thread_pool_backend(kinds, threads);
+    Evolution evolution(std::move(settings), kinds);
     EvaluationProgress progress;
     Hash64 all;
     while (evolution.evaluate(*backend, progress, {})) {
         add_population(all, evolution.population());
-        if (evolution.history().size() == kGenerations) break;
+        if (evolution.history().size() == generations) break;
         evolution.breed();
     }
-    const std::string name = "evolution." + std::to_string(threads) + "_threads";
-    digests.push_back({name + ".champion", evolution.population().front()->genome_hash});
-    digests.push_back({name + ".generations", all.value()});
-    digests.push_back({name + ".last", population_digest(evolution.population())});
+    const std::string run = name + std::to_string(threads) + "_threads";
+    digests.push_back({run + ".champion", evolution.population().front()->genome_hash});
+    digests.push_back({run + ".generations", all.value()});
+    digests.push_back({run + ".last", population_digest(evolution.population())});
 }
 
 }  // namespace
 
 void add_evolution_digests(Digests& digests) {
     for (const std::size_t threads : {1U, 2U, 7U})
-        add_evolution(digests, threads);
+        add_evolution(digests, "evolution.", test::kinds(), settings(), kGenerations, threads);
+    for (const std::size_t threads : {1U, 7U})
+        add_evolution(digests, "space.evolution.", test::spatial_kinds(), settings_in_space(),
+                      kGenerationsInSpace, threads);
 }
 
 }  // namespace cambrian::golden

@@ -4,16 +4,16 @@
 
 namespace cambrian::golden {
 
-FounderSettings all_joints() {
+FounderSettings all_joints(const KindCatalog& catalog) {
     FounderSettings settings;
-    for (const JointChoice& joint : test::kinds().creature.catalog.joints)
+    for (const JointChoice& joint : catalog.joints)
         settings.joints[joint.id] = true;
     return settings;
 }
 
-Genome founder(int number) {
+Genome founder(int number, const KindCatalog& catalog) {
     RandomStream random(stream_seed({11, static_cast<std::uint64_t>(number)}));
-    return random_genome(all_joints(), test::kinds().creature.catalog, random);
+    return random_genome(all_joints(catalog), catalog, random);
 }
 
 // The organs and channels that there were when the digests were recorded.

@@ -43,10 +43,11 @@ void add_network(Hash64& hash, const Network& network) {
         hash.add(std::uint64_t{neuron});
 }
 
-std::uint64_t digest_of_bodies(const std::vector<Genome>& genomes) {
+std::uint64_t digest_of_bodies(const std::vector<Genome>& genomes,
+                               const Kinds& kinds = test::creature_kinds()) {
     Hash64 hash;
     for (const Genome& genome : genomes) {
-        const Phenotype grown = express(genome, test::kinds().creature, {}, {});
+        const Phenotype grown = express(genome, kinds, {}, {});
         for (const PlannedPart& part : grown.plan.parts)
             add_part(hash, part);
         add_network(hash, grown.network);
@@ -106,6 +107,12 @@ void add_genome_digests(Digests& digests) {
     for (int i = 0; i < kFounders; ++i)
         deforming.push_back(founder_with_deformers(i));
     digests.push_back({"genome.deformers", digest_of(mutants_of(deforming, {}, with_deformers()))});
+    const Kinds& kinds_of_space = test::spatial_kinds().creature;
+    std::vector<Genome> in_space;
+    for (int i = 0; i < kFounders; ++i)
+        in_space.push_back(founder(i, kinds_of_space.catalog));
+    digests.push_back({"space.founders", digest_of(in_space)});
+    digests.push_back({"space.founders.bodies", digest_of_bodies(in_space, kinds_of_space)});
 }
 
 }  // namespace cambrian::golden

@@ -1,3 +1,4 @@
+#include "evolution/settings/goal_defaults.h"
 #include "golden/audit.h"
 #include "golden/founders.h"
 #include "golden/golden.h"
@@ -26,25 +27,38 @@ void add_record(Hash64& hash, const TrialRecord& record) {
 }
 
 // Runs founders that can move, from a different first number for each goal.
-std::uint64_t digest_of_trials(const GoalKind& goal, int first) {
+std::uint64_t digest_of_trials(const GoalKind& goal, const TrialWorld& world, const Kinds& kinds,
+                               int first) {
+    Hash64 hash;
+    for (int number = first, done = 0; done < kTrials; ++number) {
+        const auto grown = std::make_shared<const Phenotype>(
+            express(founder(number, kinds.catalog), kinds, {}, world.scene));
+        if (!grown->can_move() || !grown->has_live_control) continue;
+        ++done;
+        const auto record = run_trial(grown, kinds, world);
+        if (!record) continue;
+        add_record(hash, *record);
+        hash.add(goal.score(*record).value);
+    }
+    return hash.value();
+}
+
+TrialWorld world_of(const GoalKind& goal, int first) {
     TrialWorld world;
     world.environment = goal.default_environment();
     world.trial.duration = kDuration;
     world.trial.has_cube = goal.default_trial.has_cube;
     if (goal.is_contest)
         world.opponents.genomes = {std::make_shared<const Genome>(founder(first + 500))};
-    Hash64 hash;
-    for (int number = first, done = 0; done < kTrials; ++number) {
-        const auto grown = std::make_shared<const Phenotype>(
-            express(founder(number), test::kinds().creature, {}, world.scene));
-        if (!grown->can_move() || !grown->has_live_control) continue;
-        ++done;
-        const auto record = run_trial(grown, test::kinds().creature, world);
-        if (!record) continue;
-        add_record(hash, *record);
-        hash.add(goal.score(*record).value);
-    }
-    return hash.value();
+    return world;
+}
+
+std::uint64_t digest_of_swimmers_in_space() {
+    const EvolutionKinds& kinds = test::spatial_kinds();
+    ExperimentSettings settings;
+    adopt_space_defaults(settings, kinds.goals);
+    settings.world.trial.duration = kDuration;
+    return digest_of_trials(*kinds.goals.find(settings.goal), settings.world, kinds.creature, 0);
 }
 
 // Adds what was heard and smelled in the last tick.
@@ -80,11 +94,13 @@ std::uint64_t digest_of_organs(Genome (*make)(int)) {
 void add_trial_digests(Digests& digests) {
     int first = 1000;
     for (const GoalKind& goal : test::kinds().goals.all()) {
-        digests.push_back({"trial." + goal.id, digest_of_trials(goal, first)});
+        digests.push_back({"trial." + goal.id, digest_of_trials(goal, world_of(goal, first),
+                                                                test::creature_kinds(), first)});
         first += 1000;
     }
     digests.push_back({"trial.organs", digest_of_organs(founder_with_organs)});
     digests.push_back({"trial.deformers", digest_of_organs(founder_with_deformers)});
+    digests.push_back({"space.trial.swimming", digest_of_swimmers_in_space()});
 }
 
 }  // namespace cambrian::golden
