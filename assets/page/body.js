@@ -215,9 +215,65 @@ function spaceView(target, yaw, pitch, scale, width, height) {
   };
 }
 
+const LIGHT = [-0.4, 0.8, 0.45];  // towards the light
+
+// Draws the ground of space, endless up to the horizon, with a line each metre.
+function drawFloor(g, view, near, width, height, night) {
+  const horizon = SPACE_HORIZON * height;
+  g.fillStyle = gradient(g, 0, horizon, 0, height, night ? ['#1d2a33', '#15211c'] : ['#a9c793', '#6fa24c', '#4f8a33']);
+  g.fillRect(0, horizon, width, height - horizon);
+  const line = (from, to, strength) => {
+    const [a, b] = [view.see(from), view.see(to)];
+    if (a[2] < 0.3 || b[2] < 0.3) return;
+    g.strokeStyle = `rgba(255,255,240,${strength})`;
+    g.beginPath();
+    g.moveTo(a[0], a[1]);
+    g.lineTo(b[0], b[1]);
+    g.stroke();
+  };
+  g.lineWidth = 1.5;
+  const reach = 14, [x, z] = [Math.round(near[0]), Math.round(near[2])];
+  for (let i = -reach; i <= reach; i++) for (let j = -reach; j < reach; j++) {
+    const strength = 0.34 * Math.max(0, 1 - Math.hypot(i, j) / reach) ** 2;
+    if (strength < 0.01) continue;
+    line([x + i, 0, z + j], [x + i, 0, z + j + 1], strength);
+    line([x + j, 0, z + i], [x + j + 1, 0, z + i], strength);
+  }
+}
+
+// Draws the shadows of all parts on the ground, as one.
+function drawShadows(g, body, row, view) {
+  const shadow = new Path2D();
+  body.parts.forEach((p, k) => {
+    const q = attitudeOf(row, k), half = halfOf(row, k), place = placeOf(row, k), points = [];
+    for (let corner = 0; corner < 8; corner++) {
+      const local = [0, 1, 2].map(i => corner >> i & 1 ? half[i] : -half[i]), at = turned(q, local).map((v, i) => v + place[i]);
+      const fall = Math.max(0, at[1]) / LIGHT[1], [x, y, depth] = view.see([at[0] - fall * LIGHT[0], 0, at[2] - fall * LIGHT[2]]);
+      if (depth < 0.1) return;
+      points.push([x, y]);
+    }
+    // The convex hull (A. M. Andrew, 1979), always turning the same way.
+    points.sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+    const chain = list => list.reduce((hull, c) => {
+      while (hull.length > 1) {
+        const [a, b] = hull.slice(-2);
+        if ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0) break;
+        hull.pop();
+      }
+      return [...hull, c];
+    }, []);
+    [...chain(points).slice(0, -1), ...chain(points.slice().reverse()).slice(0, -1)].forEach(([x, y], i) => shadow[i ? 'lineTo' : 'moveTo'](x, y));
+    shadow.closePath();
+  });
+  g.fillStyle = 'rgba(16,28,8,0.34)';
+  g.filter = 'blur(3px)';
+  g.fill(shadow);
+  g.filter = 'none';
+}
+
 // Draws the creature in space: the visible faces of its boxes, from far to near.
 function drawBoxes(g, body, row, view) {
-  const light = [-0.4, 0.8, 0.45], faces = [];
+  const faces = [];
   body.parts.forEach((p, k) => {
     const q = attitudeOf(row, k), half = halfOf(row, k), place = placeOf(row, k);
     for (let axis = 0; axis < 3; axis++) for (const sign of [-1, 1]) {
@@ -232,7 +288,7 @@ function drawBoxes(g, body, row, view) {
       const seen = corners.map(c => view.see(c));
       const towards = normal.reduce((sum, n, i) => sum + n * (view.place[i] - place[i] - n * half[axis]), 0);
       if (towards <= 0) continue;
-      const shine = normal[0] * light[0] + normal[1] * light[1] + normal[2] * light[2];
+      const shine = normal[0] * LIGHT[0] + normal[1] * LIGHT[1] + normal[2] * LIGHT[2];
       faces.push({ seen, depth: Math.max(...seen.map(s => s[2])) + seen.reduce((sum, s) => sum + s[2], 0), p, shine });
     }
   });

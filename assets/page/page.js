@@ -114,7 +114,11 @@ function draw(row, time, passed) {
   drawPlace(g, place, camera, scale, time);
   draw.to = to;
   if (body.space) {
-    draw.view = spaceView([row[0], row[1], row[2]], turn, 0.3, scale, w, h);
+    draw.view = spaceView([camera[0], ground ? 0.35 * body.size : camera[1], camera[2]], turn, PITCH, scale, w, h);
+    if (ground) {
+      drawFloor(g, draw.view, camera, w, h, place.kind === 'night');
+      drawShadows(g, body, row, draw.view);
+    }
     drawBoxes(g, body, row, draw.view);
   } else {
     if (ground) drawGround(row, to, w);

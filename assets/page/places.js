@@ -75,10 +75,13 @@ function grass(w, h) {
   return made;
 }
 
-const HORIZON = 0.785;  // height of the ground in the picture
+const HORIZON = 0.785;       // height of the ground in the picture
+const PITCH = 0.14;          // rad; of the camera in space
+const SPACE_HORIZON = 0.5 - 1.6 * Math.tan(PITCH);
 
 // Paints the place of a creature for a picture of this size.
 function placeFor(told, width, height, dark) {
+  const space = told.dimensions === 3, lift = space ? (SPACE_HORIZON - 0.8) * height : 0;
   const kind = told.light && dark ? 'night' : told.ground ? 'meadow' : told.medium > 5 || told.gravity === 0 ? 'water' : 'air';
   const layers = [], back = sheet(width, height), g = back.getContext('2d');
   const add = (picture, depth, y) => layers.push({ picture, depth, y });
@@ -123,14 +126,16 @@ function placeFor(told, width, height, dark) {
   if (kind === 'meadow' || kind === 'night' && told.ground) {
     const far = kind === 'night' ? [['#1b2244', '#232a4a'], ['#151c38', '#1a2340'], ['#10182e', '#152036']]
       : [['#a9b9d6', '#c3d4e4'], ['#7fae8a', '#9cc4a0'], ['#5c9a5b', '#76b06a']];
-    add(hills(1.3 * width, 0.3 * height, far[0], 3, 0.2, 0.65), 0.1, 0.5 * height);
-    add(hills(1.4 * width, 0.26 * height, far[1], 13, 0.2, 0.65), 0.2, 0.56 * height);
-    add(hills(1.5 * width, 0.2 * height, far[2], 23, 0.2, 0.65), 0.38, 0.63 * height);
-    add(soil(width, 0.24 * height), 1, 0.78 * height);
-    add(grass(width, 0.035 * height), 1, 0.746 * height);
+    add(hills(1.3 * width, 0.3 * height, far[0], 3, 0.2, 0.65), 0.1, 0.5 * height + lift);
+    add(hills(1.4 * width, 0.26 * height, far[1], 13, 0.2, 0.65), 0.2, 0.56 * height + lift);
+    add(hills(1.5 * width, 0.2 * height, far[2], 23, 0.2, 0.65), 0.38, 0.63 * height + lift);
+    if (!space) {
+      add(soil(width, 0.24 * height), 1, 0.78 * height);
+      add(grass(width, 0.035 * height), 1, 0.746 * height);
+    }
   }
   const motes = Array.from({ length: 46 }, (_, i) => [chance(i, 61), chance(i, 62), 0.35 + 0.65 * chance(i, 63)]);
-  return { kind, back, layers, motes, width, height };
+  return { kind, space, back, layers, motes, width, height };
 }
 
 // Draws the place behind a camera at a point of the world.
@@ -139,7 +144,7 @@ function drawPlace(g, place, camera, scale, now) {
   g.drawImage(place.back, 0, 0);
   for (const { picture, depth, y } of place.layers) {
     const sky = depth < 0.1, period = sky ? 1.9 * width : picture.width;
-    const drift = sky ? 4 * depth * now - 3.1 * y : 0, lift = camera[1] * scale * depth * (kind === 'water' ? 0.5 : 1);
+    const drift = sky ? 4 * depth * now - 3.1 * y : 0, lift = place.space ? 0 : camera[1] * scale * depth * (kind === 'water' ? 0.5 : 1);
     for (let x = -wrapped(camera[0] * scale * depth + drift, period); x < width; x += period) g.drawImage(picture, x, y + lift);
   }
   if (kind === 'meadow') return;
