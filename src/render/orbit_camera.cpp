@@ -45,11 +45,38 @@ void OrbitCamera::zoom_about(const Vec2& cursor, double factor, const Viewport& 
     distance = wanted;
 }
 
-void OrbitCamera::fit(const Vec3& middle, double radius, double share, const Viewport& viewport) {
-    target = middle;
-    const double pixels = 0.5 * share * std::min(viewport.width, viewport.height);
-    distance = std::clamp(radius * pixels_at_a_metre(viewport) / std::max(pixels, 1.0), kNearest,
-                          kFarthest);
+double OrbitCamera::distance_for(std::span<const Vec3> points, double share,
+                                 const Viewport& viewport) const {
+    const SpaceCamera camera = seen(viewport);
+    const double high = 0.5 * viewport.height * share / pixels_at_a_metre(viewport);
+    const double wide = high * viewport.width / viewport.height;
+    double needed = kNearest;
+    for (const Vec3& point : points) {
+        const Vec3 from = point - target;
+        const double aside = std::max(std::fabs(from.dot(camera.right)) / wide,
+                                      std::fabs(from.dot(camera.up)) / high);
+        needed = std::max(needed, aside + from.dot(camera.back));
+    }
+    return needed;
+}
+
+void OrbitCamera::fit(std::span<const Vec3> points, double share, const Viewport& viewport) {
+    if (points.empty()) return;
+    const SpaceCamera camera = seen(viewport);
+    Vec3 low = Vec3::Constant(1e9);
+    Vec3 high = Vec3::Constant(-1e9);
+    for (const Vec3& point : points) {
+        const Vec3 seen_at(point.dot(camera.right), point.dot(camera.up), point.dot(camera.back));
+        low = low.cwiseMin(seen_at);
+        high = high.cwiseMax(seen_at);
+    }
+    const Vec3 middle = 0.5 * (low + high);
+    target = middle.x() * camera.right + middle.y() * camera.up + middle.z() * camera.back;
+    distance = std::min(distance_for(points, share, viewport), kFarthest);
+}
+
+double OrbitCamera::share_of(std::span<const Vec3> points, const Viewport& viewport) const {
+    return distance_for(points, 1.0, viewport) / distance;
 }
 
 void OrbitCamera::look_from(const Vec3& side) {

@@ -5,6 +5,8 @@
 #include "render/camera.h"
 #include "render/space_camera.h"
 
+#include <span>
+
 namespace cambrian {
 
 struct OrbitCamera {
@@ -26,13 +28,19 @@ struct OrbitCamera {
     // Comes closer, or with a factor below 1 goes away, so that the point under the cursor, as far
     // away as the target, stays there.
     void zoom_about(const Vec2& cursor, double factor, const Viewport& viewport);
-    // Shows a sphere so that it fills `share` of the smaller side of the view.
-    void fit(const Vec3& middle, double radius, double share, const Viewport& viewport);
+    // Shows all points so that they fill at most `share` of the view.
+    void fit(std::span<const Vec3> points, double share, const Viewport& viewport);
+    // Returns the share of the view that points around the target fill, about.
+    double share_of(std::span<const Vec3> points, const Viewport& viewport) const;
     // Looks from the side of a direction, the horizon level.
     void look_from(const Vec3& side);
     // Moves the target towards a point, covering 63 % of the way in `lag` seconds, and stays so
     // close that the point is within `most` (m) of the target.
     void approach(const Vec3& point, double elapsed, double lag, double most);
+
+private:
+    // Returns the distance of the target from which all points are in that share of the view.
+    double distance_for(std::span<const Vec3> points, double share, const Viewport& viewport) const;
 };
 
 }  // namespace cambrian

@@ -19,7 +19,7 @@
 namespace cambrian {
 
 // Further solids neither cast nor receive shadows.
-inline constexpr std::size_t kMostShading = 64;
+inline constexpr std::size_t kMostShading = 256;
 
 class SpacePainter {
 public:

@@ -98,7 +98,7 @@ void main() {
 
 // The boxes: four vectors each, its axes with the centre, and its half extents.
 inline constexpr const char* kBoxes = R"(
-layout(std140) uniform Boxes { vec4 boxes[256]; };
+layout(std140) uniform Boxes { vec4 boxes[1024]; };
 )";
 
 // The shadow on the floor, as a picture of the floor from above.

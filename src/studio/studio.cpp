@@ -89,6 +89,13 @@ public:
         controller_.remember_in(options_.state_dir);
         controller_.use_assets(options_.assets);
         open_first_files(visit.begins);
+        if (visit.begins) {
+            controller_.feedback().tell(
+                NoticeKind::kDone,
+                fmt::format("A run in {} dimensions. The one before is kept; File > Open the run "
+                            "before leads back to it.",
+                            kinds.here.creature.scene.dimensions == 3 ? "three" : "two"));
+        }
         const bool unasked =
             options_.open_file.empty() && !options_.evolve && !options_.viewer && !visit.begins;
         if (unasked && !controller_.files().recent().empty())

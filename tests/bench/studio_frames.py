@@ -35,6 +35,7 @@ AIMS = {
 }
 
 EVOLVING = "[population]\nsize = {size}\n"
+IN_SPACE = "[goal]\nbehavior = \"swimming\"\n[environment]\ndimensions = 3\n"
 # What is stored of a creature does not depend on the length of its trial. With short trials, the
 # generation at which memory is read is reached within minutes.
 QUICK = EVOLVING + "[trial]\nduration = 1\n"
@@ -198,7 +199,7 @@ class Toggle:
 def evolving(display, folder, options, settings, cluster=None):
     """Returns a studio that evolves from its start on."""
     settings_file = folder / "settings.toml"
-    settings_file.write_text(settings)
+    settings_file.write_text((IN_SPACE if options.space else "") + settings)
     served = ["--cluster", cluster.server.url] if cluster else []
     return Studio(display, folder, options, settings_file, "--evolve", *served)
 
@@ -310,6 +311,7 @@ def main():
     parser.add_argument("--threads", type=int, help="that evaluate; one a core unless given")
     parser.add_argument("--workers", type=int, default=0,
                         help="evaluate with so many workers on this machine too, through a server")
+    parser.add_argument("--space", action="store_true", help="evolves in three dimensions")
     parser.add_argument("--preserve", type=pathlib.Path, metavar="WORLD.cambrian",
                         help="let this preserve go on as fast as it can instead of evolving")
     parser.add_argument("--generations", type=int, default=0,

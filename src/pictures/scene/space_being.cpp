@@ -213,12 +213,16 @@ PartHit part_at(const Phenotype& phenotype, std::span<const Pose> poses, const S
     return hit;
 }
 
-double reach_from(const Phenotype& phenotype, std::span<const Pose> poses, const Vec3& place) {
-    double reach = 0.0;
-    for (std::size_t i = 0; i < poses.size(); ++i)
-        reach = std::max(reach, (poses[i].position - place).norm() +
-                                    phenotype.plan.parts[i].half_extents.norm());
-    return reach;
+void add_corners(std::vector<Vec3>& corners, const Phenotype& phenotype,
+                 std::span<const Pose> poses) {
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const Vec3& half = phenotype.plan.parts[i].half_extents;
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            const Vec3 signs((corner & 1U) != 0 ? 1.0 : -1.0, (corner & 2U) != 0 ? 1.0 : -1.0,
+                             (corner & 4U) != 0 ? 1.0 : -1.0);
+            corners.push_back(transform(poses[i], signs.cwiseProduct(half)));
+        }
+    }
 }
 
 }  // namespace cambrian

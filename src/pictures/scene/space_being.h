@@ -6,6 +6,7 @@
 #include "render/space_frame.h"
 
 #include <span>
+#include <vector>
 
 namespace cambrian {
 
@@ -18,6 +19,11 @@ struct SpaceManner {
 
 // Adds a creature: alive in its pattern and with eyes, or as the boxes that physics moves.
 void add_being(SpaceFrame& frame, const CreatureLook& look, const SpaceManner& manner);
+
+// Whether a body has a depth.
+inline bool in_space(const Phenotype& phenotype) {
+    return phenotype.parts.front().thickness > 0.0;
+}
 
 // Returns the direction of travel of a creature that moved by this much in its trial, in m.
 Vec3 space_way_of(const Vec3& travelled);
@@ -35,7 +41,8 @@ struct PartHit {
 PartHit part_at(const Phenotype& phenotype, std::span<const Pose> poses, const SpaceCamera& camera,
                 const Vec2& pixel);
 
-// Returns the greatest distance of a point of the body from a place, in m.
-double reach_from(const Phenotype& phenotype, std::span<const Pose> poses, const Vec3& place);
+// Adds the corners of all parts.
+void add_corners(std::vector<Vec3>& corners, const Phenotype& phenotype,
+                 std::span<const Pose> poses);
 
 }  // namespace cambrian

@@ -18,16 +18,6 @@ constexpr double kTrailSize = 2.4;  // pixels, at label size 13
 constexpr std::size_t kFramesADot = 4;
 constexpr std::size_t kFramesALength = 3;
 
-SpaceCamera camera_at(const Vec3& target, const Area& area, const MomentStyle& style) {
-    SpaceCamera camera;
-    camera.look_from(kYaw, kPitch);
-    camera.target = target;
-    camera.pixels_per_metre = style.pixels_per_metre;
-    camera.width = area.width;
-    camera.height = area.height;
-    return camera;
-}
-
 // The planar camera of shapes over the solids: one metre of theirs is one pixel.
 Camera flat_camera(const Area& area) {
     Camera flat;
@@ -63,39 +53,62 @@ double widest_body(const RecordedMotion& motion) {
     return widest;
 }
 
+SpaceFrame space_frame(const SpaceInstant& instant) {
+    const RecordedMotion& motion = instant.motion;
+    SpaceFrame frame;
+    frame.camera.look_from(kYaw, kPitch);
+    frame.camera.target = instant.shown.center_of_mass;
+    frame.camera.pixels_per_metre = instant.pixels_per_metre;
+    frame.camera.width = instant.size.width;
+    frame.camera.height = instant.size.height;
+    frame.samples = instant.samples;
+    SpaceLook surroundings = instant.surroundings;
+    surroundings.time = instant.time;
+    use_space(frame, instant.environment, surroundings);
+    CreatureLook look{*motion.phenotype, instant.shown.poses};
+    look.hue = instant.creature.genome->hue;
+    look.mode = instant.look;
+    look.character.line = line_or_hue(instant.creature.line, look.hue);
+    look.character.posture = motion.frames.front().poses;
+    look.character.time = instant.time;
+    SpaceManner manner;
+    manner.way =
+        space_way_of(motion.frames.back().center_of_mass - motion.frames.front().center_of_mass);
+    const std::vector<Vec3> path =
+        path_of(motion, instant.time, std::max(instant.trail, kPathPoints));
+    follow_path(look.character, manner, path, instant.shown.center_of_mass,
+                body_size(*motion.phenotype));
+    add_being(frame, look, manner);
+    const std::size_t shown = std::min(instant.trail, path.size());
+    for (std::size_t i = path.size() - shown; i < path.size(); ++i) {
+        const std::size_t age = i + shown + 1 - path.size();
+        const float fresh = static_cast<float>(age) / static_cast<float>(shown);
+        frame.marks.push_back({.place = path[i],
+                               .least = instant.trail_dot,
+                               .color = with_alpha(instant.trail_color, 0.8F * fresh)});
+    }
+    return frame;
+}
+
 void add_space_moment(PictureCanvas& canvas, const Area& area, const Subject& subject,
                       const Moment& moment, const MomentStyle& style) {
-    auto space = std::make_shared<SpaceFrame>();
-    space->camera = camera_at(moment.frame.center_of_mass, area, style);
-    space->samples = 2;
-    SpaceLook world;
-    world.plain = style.world != nullptr ? nullptr : &style.palette;
-    world.time = moment.time;
-    use_space(*space, subject.environment(), world);
-    CreatureLook look{subject.phenotype(), moment.frame.poses};
-    look.hue = subject.hue();
-    look.mode = style.look;
-    look.character.line = line_or_hue(subject.creature.individual->line, look.hue);
-    look.character.posture = subject.motion().frames.front().poses;
-    look.character.time = moment.time;
-    SpaceManner manner;
-    manner.way = space_way_of(subject.motion().frames.back().center_of_mass -
-                              subject.motion().frames.front().center_of_mass);
-    const std::vector<Vec3> path =
-        path_of(subject.motion(), moment.time, std::max(style.trail, kPathPoints));
-    follow_path(look.character, manner, path, moment.frame.center_of_mass,
-                body_size(subject.phenotype()));
-    add_being(*space, look, manner);
-    const std::size_t shown = std::min(style.trail, path.size());
-    for (std::size_t i = path.size() - shown; i < path.size(); ++i) {
-        const float age =
-            static_cast<float>(i + shown + 1 - path.size()) / static_cast<float>(shown);
-        space->marks.push_back({.place = path[i],
-                                .least = kTrailSize * style.label_size / 13.0,
-                                .color = with_alpha(style.palette.accent, 0.8F * age)});
-    }
+    SpaceLook surroundings;
+    surroundings.plain = style.world != nullptr ? nullptr : &style.palette;
     SceneFrame frame;
-    frame.space = std::move(space);
+    frame.space = std::make_shared<const SpaceFrame>(
+        space_frame({.motion = subject.motion(),
+                     .shown = moment.frame,
+                     .time = moment.time,
+                     .environment = subject.environment(),
+                     .creature = *subject.creature.individual,
+                     .surroundings = surroundings,
+                     .look = style.look,
+                     .size = {area.width, area.height},
+                     .pixels_per_metre = style.pixels_per_metre,
+                     .trail = style.trail,
+                     .trail_color = style.palette.accent,
+                     .trail_dot = kTrailSize * style.label_size / 13.0,
+                     .samples = 2}));
     canvas.add_scene(std::move(frame), flat_camera(area), area);
 }
 

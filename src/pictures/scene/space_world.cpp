@@ -9,18 +9,10 @@
 namespace cambrian {
 namespace {
 
-constexpr double kSpaceDensity = 1000.0;  // what settings in space have for one in the plane
-constexpr double kSeabed = 2.2;           // m below creatures that swim, at least
-constexpr double kSpeckSpacing = 0.55;    // m; one speck in each cube of the water
-constexpr int kSpeckCubes = 6;            // to each side of the creature
-constexpr double kSpeckSize = 0.006;      // m
-
-// Returns the environment with the numbers it would have in the plane.
-Environment planar(Environment environment) {
-    environment.viscosity_linear /= kSpaceDensity;
-    environment.viscosity_quadratic /= kSpaceDensity;
-    return environment;
-}
+constexpr double kSeabed = 2.2;         // m below creatures that swim, at least
+constexpr double kSpeckSpacing = 0.55;  // m; one speck in each cube of the water
+constexpr int kSpeckCubes = 6;          // to each side of the creature
+constexpr double kSpeckSize = 0.006;    // m
 
 // A number in [0, 1) that belongs to a cube of the water.
 double cube_number(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t salt) {
@@ -39,6 +31,7 @@ void use_water(SpaceFrame& frame, const DrawnWorld& world, const SpaceLook& look
     SpaceLight& light = frame.light;
     light.around = {mix(world.recipe.sky[0], world.recipe.sky[1], 0.35F), world.recipe.sky[2],
                     mix(world.recipe.ridges[2][1], world.recipe.sky[0], 0.25F)};
+    light.direction = {-0.22, 0.93, 0.30};
     light.key = {0.92F, 0.97F, 0.90F};
     light.above = color_of(0xD4EFF0);
     light.below = color_of(0x3C7382);
@@ -49,9 +42,9 @@ void use_water(SpaceFrame& frame, const DrawnWorld& world, const SpaceLook& look
     // The floor of the sea keeps away from those who dive: it is scenery, and no ground.
     SpaceFloor floor;
     floor.height = std::min(-kSeabed, frame.camera.target.y() - kSeabed);
-    floor.color = mix(color_of(0xD9C9A0), world.recipe.sky[0], 0.42F);
+    floor.color = mix(color_of(0xCDBf98), world.recipe.sky[0], 0.55F);
     floor.grain = 0.35F;
-    floor.ripples = 0.42F;
+    floor.ripples = 0.30F;
     floor.time = look.time;
     floor.shade = 0.5F;
     if (look.grid) floor.lines = color_of(0xFFFFFF, 0.16F);
@@ -142,7 +135,7 @@ void add_hanging_specks(SpaceFrame& frame, const Color& color) {
 void use_space(SpaceFrame& frame, const Environment& environment, const SpaceLook& look) {
     if (look.plain != nullptr)
         return use_nothing(frame, *look.plain, environment.has_ground, look.grid);
-    const WorldKind kind = world_kind_of(planar(environment));
+    const WorldKind kind = world_kind_of(environment);
     const DrawnWorld& world = drawn_world(kind, look.daytime);
     if (kind == WorldKind::kWater || kind == WorldKind::kNightSea)
         return use_water(frame, world, look);

@@ -8,10 +8,11 @@
 namespace cambrian {
 namespace {
 
-constexpr double kWaterDrag = 0.5;    // kg/m^2, quadratic; the swimmers' is 1
-constexpr double kThickDrag = 1.0;    // N s/m^2, linear, in which a body swims as well
-constexpr double kMoonGravity = 3.0;  // m/s^2
-constexpr double kIceFriction = 0.2;  // coefficient
+constexpr double kWaterDrag = 0.5;        // kg/m^2, quadratic; the swimmers' is 1
+constexpr double kThickDrag = 1.0;        // N s/m^2, linear, in which a body swims as well
+constexpr double kSpaceDensity = 1000.0;  // of what settings in space have for 1 in the plane
+constexpr double kMoonGravity = 3.0;      // m/s^2
+constexpr double kIceFriction = 0.2;      // coefficient
 constexpr double kLeastBladePixels = 3.0;
 
 // Returns a number in [0, 1) that follows from a place and a use.
@@ -382,8 +383,9 @@ void add_weeds(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
 }  // namespace
 
 WorldKind world_kind_of(const Environment& environment) {
-    const bool drags =
-        environment.viscosity_quadratic >= kWaterDrag || environment.viscosity_linear >= kThickDrag;
+    const double scale = environment.dimensions == 3 ? kSpaceDensity : 1.0;
+    const bool drags = environment.viscosity_quadratic >= scale * kWaterDrag ||
+                       environment.viscosity_linear >= scale * kThickDrag;
     if (environment.has_light) {
         if (environment.has_ground) return WorldKind::kNight;
         return drags ? WorldKind::kNightSea : WorldKind::kNightSky;

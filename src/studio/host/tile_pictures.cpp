@@ -2,10 +2,13 @@
 
 #include "math/bounds.h"
 #include "pictures/scene/living_look.h"
+#include "pictures/scene/space_being.h"
 #include "render/opengl/gl.h"
+#include "render/orbit_camera.h"
 
 #include <algorithm>
 #include <bit>
+#include <memory>
 #include <utility>
 
 namespace cambrian {
@@ -75,11 +78,14 @@ TilePictures::Key TilePictures::key_of(const TileWish& wish) {
         const PlannedPart& part = wish.phenotype.plan.parts[i];
         for (const double number :
              {part.half_extents.x(), part.half_extents.y(), part.rest_pose.position.x(),
-              part.rest_pose.position.y(), part.rest_angle,
+              part.half_extents.z(), part.rest_pose.position.z(), part.rest_pose.orientation.x(),
+              part.rest_pose.orientation.y(), part.rest_pose.position.y(), part.rest_angle,
               static_cast<double>(wish.phenotype.parts[i].node)})
             hash.add(number);
     }
-    return {hash.bits(), wish.line, wish.hue, wish.width, wish.height};
+    return {hash.bits(), wish.line,
+            wish.hue,    wish.width,
+            wish.height, in_space(wish.phenotype) && ui().look == LookMode::kMechanics};
 }
 
 // Returns a page with a free cell of this size: one there is, a new one, or the one that was used
@@ -129,6 +135,7 @@ void TilePictures::draw(const TileWish& wish, std::span<const Pose> poses, const
                         const PaintedTexture& texture, const PixelRect& target) {
     CreatureLook look{wish.phenotype, poses};
     look.hue = wish.hue;
+    if (in_space(wish.phenotype)) return draw_in_space(wish, look, camera, texture, target);
     if (wish.moment != nullptr) {
         look.character = wish.moment->character;
         look.stretches = wish.moment->stretches;
@@ -138,6 +145,38 @@ void TilePictures::draw(const TileWish& wish, std::span<const Pose> poses, const
     // Transparent, in the colour of outlines, which edges fade to.
     frame.background = color_of(0x2A211C, 0.0F);
     add_being(frame, colors(), camera, look);
+    const Bound bound(texture);
+    renderer_.draw(frame, camera, target);
+}
+
+void TilePictures::draw_in_space(const TileWish& wish, CreatureLook& look, const Camera& camera,
+                                 const PaintedTexture& texture, const PixelRect& target) {
+    constexpr double kShare = 0.94;  // of the tile, for a body at rest
+    const Viewport size{static_cast<double>(target.width), static_cast<double>(target.height)};
+    OrbitCamera orbit;
+    std::vector<Vec3> corners;
+    add_corners(corners, wish.phenotype, look.poses);
+    orbit.fit(corners, kShare, size);
+    auto space = std::make_shared<SpaceFrame>();
+    space->camera = orbit.seen(size);
+    const double most = wish.moment != nullptr ? camera.pixels_per_metre
+                                               : kMostScale * static_cast<double>(ui().scale);
+    if (wish.moment != nullptr) space->camera.target = wish.moment->middle;
+    if (wish.moment != nullptr || space->camera.pixels_per_metre > most)
+        space->camera.pixels_per_metre = most;
+    space->clear = true;
+    space->samples = 2;
+    space->outline = 1.0;
+    space->light.above = color_of(0xDDE6EA);
+    space->light.below = color_of(0x6A6058);
+    space->light.haze_from = 1e6;
+    look.mode = ui().look == LookMode::kMechanics ? LookMode::kMechanics : LookMode::kLife;
+    look.character = {};
+    look.character.line = wish.line;
+    if (wish.moment != nullptr) look.character.time = wish.moment->character.time;
+    add_being(*space, look, {});
+    SceneFrame frame;
+    frame.space = std::move(space);
     const Bound bound(texture);
     renderer_.draw(frame, camera, target);
 }

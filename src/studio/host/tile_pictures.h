@@ -17,6 +17,8 @@
 
 namespace cambrian {
 
+struct CreatureLook;
+
 // Needs a current context of OpenGL, also at its end.
 class TilePictures {
 public:
@@ -36,6 +38,7 @@ private:
         double hue = 0.0;
         int width = 0;
         int height = 0;
+        bool plain = false;  // as boxes, where a body in space is drawn so
 
         auto operator<=>(const Key&) const = default;  // NOLINT(modernize-use-nullptr)
     };
@@ -61,6 +64,8 @@ private:
     // Draws a body into a rectangle of a texture.
     void draw(const TileWish& wish, std::span<const Pose> poses, const Camera& camera,
               const PaintedTexture& texture, const PixelRect& target);
+    void draw_in_space(const TileWish& wish, CreatureLook& look, const Camera& camera,
+                       const PaintedTexture& texture, const PixelRect& target);
 
     Renderer& renderer_;
     std::vector<Page> pages_;

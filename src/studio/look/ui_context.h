@@ -70,6 +70,7 @@ struct TileMoment {
     std::span<const double> stretches;
     Character character;
     Camera camera;
+    Vec3 middle = Vec3::Zero();  // m; in space, in the middle of the picture
 };
 // A body as a small picture, at rest unless there is a moment.
 struct TileWish {

@@ -3,6 +3,7 @@
 #include "pictures/scene/follow_camera.h"
 #include "pictures/scene/moment.h"
 #include "pictures/scene/scene_builder.h"
+#include "pictures/scene/space_being.h"
 
 #include <algorithm>
 #include <array>
@@ -33,7 +34,8 @@ Bounds bounds_at_rest(const BodyPlan& plan) {
 // Returns whether a picture of the living body was drawn.
 bool draw_living_tile(ImDrawList& list, const Rect& area, const Phenotype& phenotype, double hue,
                       std::uint64_t line, const TileMoment* moment = nullptr) {
-    if (ui().look == LookMode::kMechanics || !ui().tile_of) return false;
+    if (!ui().tile_of) return false;
+    if (ui().look == LookMode::kMechanics && !in_space(phenotype)) return false;
     const ImVec2 low = {std::floor(area.x), std::floor(area.y)};
     const int width = static_cast<int>(area.width);
     const int height = static_cast<int>(area.height);
@@ -83,10 +85,11 @@ void draw_moving_tile(ImDrawList& list, const Rect& area, const RecordedMotion& 
     constexpr double kShare = 0.92;  // of the tile, for the body
     const Viewport size{static_cast<double>(area.width), static_cast<double>(area.height)};
     const MotionFrame shown = motion.at(time);
-    TileMoment moment{shown.poses, shown.stretches, character_of(motion, walks, time), {}};
+    TileMoment moment{shown.poses, shown.stretches, character_of(motion, walks, time), {}, {}};
     Camera& camera = moment.camera;
     camera.pixels_per_metre = scale_to_fit(motion, {0.0, 0.0, size.width, size.height}, kShare);
     camera.center = shown.center_of_mass.head<2>();
+    moment.middle = shown.center_of_mass;
     // The ground stays at the lower edge.
     const double half = 0.5 * size.height * camera.pixel();
     if (walks) {

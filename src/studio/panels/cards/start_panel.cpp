@@ -90,7 +90,7 @@ void StartPanel::draw(const FrameContext& frame, Requests& out) {
     ImGui::SameLine(0, px(8));
     if (frame.in_space()
             ? push_button("Begin in two dimensions", {.tooltip = "Walkers, jumpers and others"})
-            : push_button("Swim in three dimensions", {.tooltip = "A run of swimmers in space"}))
+            : push_button("Begin in three dimensions", {.tooltip = "A run of swimmers in space"}))
         out.ask(BeginElsewhere{});
     ImGui::BeginChild("start", {0, 0}, false, ImGuiWindowFlags_NoBackground);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kRunGap), px(kRunGap)));

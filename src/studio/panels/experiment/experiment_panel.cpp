@@ -164,13 +164,12 @@ void ExperimentPanel::seek(const FrameContext& frame) {
 
 // Draws the choice between two and three dimensions as a row. Either has its own run.
 void ExperimentPanel::draw_dimensions(const FrameContext& frame, Requests& out) {
-    row_label("Dimensions (environment.dimensions)", false,
+    row_label("Space (dimensions)", false,
               std::floor(ImGui::GetContentRegionAvail().x - px(kPlainControl)));
     ImGui::SameLine(0.0F, 0.0F);
     const int chosen = frame.in_space() ? 1 : 0;
-    const int pressed =
-        segmented("dimensions", {"Two", "Three"}, chosen,
-                  {"Bodies in a vertical plane", "Bodies of boxes in space, which swim"});
+    const int pressed = segmented("dimensions", {"Two", "Three"}, chosen,
+                                  {"Bodies in a vertical plane", "Bodies of boxes in space"});
     if (pressed >= 0 && pressed != chosen) out.ask(BeginElsewhere{});
 }
 

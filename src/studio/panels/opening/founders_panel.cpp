@@ -6,8 +6,12 @@
 #include "pictures/scene/living_look.h"
 #include "pictures/scene/moment.h"
 #include "pictures/scene/small_life.h"
+#include "pictures/scene/space_being.h"
+#include "pictures/scene/space_world.h"
 #include "pictures/scene/worlds.h"
+#include "render/orbit_camera.h"
 #include "studio/look/overlays.h"
+#include "studio/panels/viewport/space_overlays.h"
 #include "studio/panels/viewport/viewport_tools.h"
 #include "studio/widgets/widgets.h"
 
@@ -16,13 +20,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace cambrian {
 namespace {
 
 constexpr std::size_t kMostInARow = 7;
-constexpr double kSlotShare = 2.1;    // body sizes between two creatures of a row
-constexpr double kRowShare = 0.215;   // of the view's height between two rows
+constexpr double kSlotShare = 2.1;   // body sizes between two creatures of a row
+constexpr double kRowShare = 0.215;  // of the view's height between two rows
+constexpr double kRowDepth = 1.25;   // slots between two rows in space
+constexpr double kCrowdYaw = to_radians(14.0);
+constexpr double kCrowdPitch = to_radians(21.0);
+constexpr double kCrowdShare = 0.94;  // of the view in space, filled by all creatures
 constexpr double kMeadow = 0.11;      // slots; height of a row's ground above its creatures' feet
 constexpr int kBands = 10;            // of colour in the ground of a row
 constexpr double kLowestShare = 0.5;  // slots; least distance of two rows
@@ -75,9 +85,11 @@ void FoundersPanel::draw(const FrameContext& frame, Requests& out) {
         ImGui::InvisibleButton("founders", {std::max(1.0F, room.x), std::max(1.0F, room.y)});
     note_place("founders");
     ImGui::SetItemAllowOverlap();
+    in_space_ = frame.in_space();
     place_rows(crowd);
+    if (in_space_) place_in_space(crowd);
     if (pressed) out.ask(ChooseFounder{nearest(canvas_.mouse_in_world(), crowd)});
-    build_scene(frame);
+    in_space_ ? build_space(frame) : build_scene(frame);
     canvas_.add_to(*ImGui::GetWindowDrawList());
     draw_choice(frame);
     draw_words(frame);
@@ -110,11 +122,106 @@ void FoundersPanel::place_rows(const FounderCrowd& crowd) {
     }
 }
 
-// Returns where a creature's trial has its origin in the view. Rows are staggered.
-Vec2 FoundersPanel::stand(std::size_t place) const {
+std::size_t FoundersPanel::row_of(std::size_t place) const {
     std::size_t number = rows_.size() - 1;
     while (number > 0 && place < rows_[number].first)
         --number;
+    return number;
+}
+
+// Looks at all creatures, whose rows are behind each other.
+void FoundersPanel::place_in_space(const FounderCrowd& crowd) {
+    OrbitCamera orbit;
+    orbit.yaw = kCrowdYaw;
+    orbit.pitch = kCrowdPitch;
+    std::vector<Vec3> points;
+    const double reach = 0.6 * crowd.big_body();
+    for (std::size_t place = 0; place < crowd.founders().size(); ++place) {
+        const double depth = -kRowDepth * slot_ * static_cast<double>(row_of(place));
+        for (const double side : {-reach, reach})
+            points.emplace_back(stand(place).x() + side, side, depth);
+    }
+    orbit.fit(points, kCrowdShare, canvas_.size());
+    space_camera_ = orbit.seen(canvas_.size());
+    // The words above the crowd need room.
+    space_camera_.target += 0.05 * orbit.distance * space_camera_.up;
+    canvas_.camera.pixels_per_metre = 1.0;
+    canvas_.camera.center = {0.5 * canvas_.size().width, -0.5 * canvas_.size().height};
+}
+
+Vec3 FoundersPanel::shift_of(std::size_t place, const FounderCrowd& crowd) const {
+    const Vec3& start = crowd.motion().cell(place).frames.front().center_of_mass;
+    const double up = crowd.motion().environment().has_ground ? 0.0 : -start.y();
+    const double depth = -kRowDepth * slot_ * static_cast<double>(row_of(place));
+    return {stand(place).x() - start.x(), up, depth - start.z()};
+}
+
+void FoundersPanel::build_space(const FrameContext& frame) {
+    const FounderCrowd& crowd = *frame.coach.founders;
+    const GridMotion& motion = crowd.motion();
+    canvas_.frame.clear();
+    auto space = std::make_shared<SpaceFrame>();
+    space->camera = space_camera_;
+    const bool plain =
+        frame.window.scenery == Scenery::kPlain || frame.view.look == LookMode::kMechanics;
+    SpaceLook surroundings;
+    surroundings.daytime = daytime_of(frame.view.theme);
+    surroundings.plain = plain ? &colors() : nullptr;
+    surroundings.grid = frame.view.overlays.grid && plain;
+    surroundings.time = motion.time();
+    use_space(*space, motion.environment(), surroundings);
+    if (frame.window.scenery == Scenery::kLight && space->floor) space->floor->ripples = 0.0F;
+    for (std::size_t place = 0; place < crowd.founders().size(); ++place) {
+        const RecordedMotion& recorded = motion.cell(place);
+        if (recorded.empty()) continue;
+        MotionFrame shown = recorded.at(motion.time());
+        std::vector<Pose> posture = recorded.frames.front().poses;
+        const Vec3 shift = shift_of(place, crowd);
+        for (Pose& pose : shown.poses)
+            pose.position += shift;
+        const Individual& founder = *crowd.founders()[place];
+        CreatureLook look{*recorded.phenotype, shown.poses};
+        look.hue = founder.genome->hue;
+        look.mode = frame.view.look;
+        look.character.line = line_or_hue(founder.line, look.hue);
+        look.character.posture = posture;
+        look.character.time = motion.time();
+        SpaceManner manner;
+        manner.way = space_way_of(recorded.frames.back().center_of_mass -
+                                  recorded.frames.front().center_of_mass);
+        add_being(*space, look, manner);
+    }
+    canvas_.frame.space = std::move(space);
+}
+
+Vec2 FoundersPanel::middle_of(std::size_t place, const FounderCrowd& crowd) const {
+    const RecordedMotion& motion = crowd.motion().cell(place);
+    const Vec3 here = motion.at(crowd.motion().time()).center_of_mass;
+    if (in_space_) return in_picture(space_camera_, here + shift_of(place, crowd));
+    const Vec3& start = motion.frames.front().center_of_mass;
+    return stand(place) + Vec2(here.x() - start.x(), here.y());
+}
+
+Vec2 FoundersPanel::top_of(std::size_t place, const FounderCrowd& crowd) const {
+    const RecordedMotion& motion = crowd.motion().cell(place);
+    const MotionFrame shown = motion.at(crowd.motion().time());
+    if (!in_space_) {
+        const WorldWindow body = body_window(*motion.phenotype, shown.poses);
+        const Vec2 by = stand(place) - Vec2(motion.frames.front().center_of_mass.x(), 0.0);
+        return Vec2(0.5 * (body.low.x() + body.high.x()), body.high.y()) + by;
+    }
+    std::vector<Vec3> corners;
+    add_corners(corners, *motion.phenotype, shown.poses);
+    const Vec3 shift = shift_of(place, crowd);
+    Vec2 top = middle_of(place, crowd);
+    for (const Vec3& corner : corners)
+        top.y() = std::max(top.y(), in_picture(space_camera_, corner + shift).y());
+    return top;
+}
+
+// Returns where a creature's trial has its origin in the view. Rows are staggered.
+Vec2 FoundersPanel::stand(std::size_t place) const {
+    const std::size_t number = row_of(place);
     const Row& row = rows_[number];
     const double across = static_cast<double>(place - row.first) -
                           0.5 * static_cast<double>(row.count - 1) +
@@ -128,9 +235,7 @@ std::size_t FoundersPanel::nearest(const Vec2& point, const FounderCrowd& crowd)
     for (std::size_t i = 0; i < crowd.founders().size(); ++i) {
         const RecordedMotion& motion = crowd.motion().cell(i);
         if (motion.empty()) continue;
-        const Vec2 start = motion.frames.front().center_of_mass.head<2>();
-        const Vec2 here = motion.at(crowd.motion().time()).center_of_mass.head<2>();
-        const Vec2 at = stand(i) + Vec2(here.x() - start.x(), here.y());
+        const Vec2 at = middle_of(i, crowd);
         const double away = (at - point).norm();
         if (away >= least) continue;
         least = away;
@@ -216,11 +321,7 @@ void FoundersPanel::draw_choice(const FrameContext& frame) const {
     const FounderCrowd& crowd = *frame.coach.founders;
     const std::size_t place = frame.coach.founder;
     if (place >= crowd.founders().size() || crowd.motion().cell(place).empty()) return;
-    const RecordedMotion& motion = crowd.motion().cell(place);
-    const MotionFrame shown = motion.at(crowd.motion().time());
-    const WorldWindow body = body_window(*motion.phenotype, shown.poses);
-    const Vec2 by = stand(place) - Vec2(motion.frames.front().center_of_mass.x(), 0.0);
-    const Vec2 top = Vec2(0.5 * (body.low.x() + body.high.x()), body.high.y()) + by;
+    const Vec2 top = top_of(place, crowd);
     const Vec2 at = canvas_.camera.to_screen(top, canvas_.size());
     const ImVec2 tip = {canvas_.area.x + static_cast<float>(at.x()),
                         canvas_.area.y + static_cast<float>(at.y()) - px(2)};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/space_camera.h"
 #include "studio/frame/panel.h"
 #include "studio/host/scene_canvas.h"
 
@@ -25,6 +26,14 @@ private:
     };
 
     void place_rows(const FounderCrowd& crowd);
+    std::size_t row_of(std::size_t place) const;
+    void place_in_space(const FounderCrowd& crowd);
+    void build_space(const FrameContext& frame);
+    // Returns how far a creature in space is moved from where its trial has it.
+    Vec3 shift_of(std::size_t place, const FounderCrowd& crowd) const;
+    // Returns where the canvas has the middle of a creature, and the highest point over it.
+    Vec2 middle_of(std::size_t place, const FounderCrowd& crowd) const;
+    Vec2 top_of(std::size_t place, const FounderCrowd& crowd) const;
     Vec2 stand(std::size_t place) const;
     void build_scene(const FrameContext& frame);
     void add_row(const Row& row, std::size_t number, const FrameContext& frame);
@@ -34,6 +43,8 @@ private:
     std::size_t nearest(const Vec2& point, const FounderCrowd& crowd) const;
 
     SceneCanvas canvas_;
+    SpaceCamera space_camera_;
+    bool in_space_ = false;  // whether the creatures live in three dimensions
     std::vector<Row> rows_;  // front to back
     double slot_ = 1.0;      // m between two creatures of a row
 };

@@ -7,6 +7,7 @@
 #include "pictures/scene/living_look.h"
 #include "pictures/scene/moment.h"
 #include "pictures/scene/small_life.h"
+#include "pictures/scene/space_moment.h"
 #include "studio/hand_picking/drag_payload.h"
 #include "studio/look/overlays.h"
 #include "studio/widgets/widgets.h"
@@ -15,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace cambrian {
 namespace {
@@ -171,6 +174,7 @@ void PickingGridPanel::build_scene(std::size_t cell, const FrameContext& frame) 
     canvas.frame.background = palette.sky;
     if (recorded.empty()) return;
     const MotionFrame shown = recorded.at(motion.time());
+    if (frame.in_space()) return build_space(cell, shown, frame);
     const bool ground = motion.environment().has_ground;
     canvas.camera.pixels_per_metre = scale_;
     canvas.camera.center =
@@ -199,6 +203,32 @@ void PickingGridPanel::build_scene(std::size_t cell, const FrameContext& frame) 
     if (look.mode != LookMode::kMechanics)
         add_small_life(canvas.frame, recorded.scuffs, motion.time(), motion.environment());
     add_being(canvas.frame, palette, canvas.camera, look);
+}
+
+void PickingGridPanel::build_space(std::size_t cell, const MotionFrame& shown,
+                                   const FrameContext& frame) {
+    const GridMotion& motion = frame.picking->motion;
+    SpaceLook surroundings;
+    surroundings.daytime = daytime_of(frame.view.theme);
+    const bool plain =
+        frame.window.scenery == Scenery::kPlain || frame.view.look == LookMode::kMechanics;
+    surroundings.plain = plain ? &colors() : nullptr;
+    surroundings.grid = frame.view.overlays.grid;
+    SpaceFrame space = space_frame({.motion = motion.cell(cell),
+                                    .shown = shown,
+                                    .time = motion.time(),
+                                    .environment = motion.environment(),
+                                    .creature = *grid_of(frame).creatures[cell],
+                                    .surroundings = surroundings,
+                                    .look = frame.view.look,
+                                    .size = size_,
+                                    .pixels_per_metre = scale_,
+                                    .trail = frame.view.overlays.trail ? kTrailLength : 0,
+                                    .trail_color = colors().accent,
+                                    .trail_dot = 1.6});
+    if (space.floor) space.floor->ripples = 0.0F;
+    SceneCanvas& canvas = canvases_[cell];
+    canvas.frame.space = std::make_shared<const SpaceFrame>(std::move(space));
 }
 
 void PickingGridPanel::draw_cell(std::size_t cell, const FrameContext& frame, Requests& out) {

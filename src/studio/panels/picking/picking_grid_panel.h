@@ -22,6 +22,7 @@ private:
     void place_cells(std::size_t count, const Rect& area);
     void choose_scale(const GridMotion& motion);
     void look_for_hints(const FrameContext& frame);
+    void build_space(std::size_t cell, const MotionFrame& shown, const FrameContext& frame);
     void build_scene(std::size_t cell, const FrameContext& frame);
     void draw_cell(std::size_t cell, const FrameContext& frame, Requests& out);
     void draw_words(std::size_t cell, const FrameContext& frame);

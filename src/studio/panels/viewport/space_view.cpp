@@ -12,10 +12,10 @@
 namespace cambrian {
 namespace {
 
-constexpr double kOrbitLag = 0.25;     // s; time constant with which the camera follows
-constexpr double kHeightShare = 0.3;   // of that speed, with which it follows up and down
-constexpr double kMostBehind = 0.30;   // of the view's height, by which it stays behind
-constexpr double kSphereShare = 0.62;  // of the view, filled by the sphere around a body
+constexpr double kOrbitLag = 0.25;      // s; time constant with which the camera follows
+constexpr double kHeightShare = 0.3;    // of that speed, with which it follows up and down
+constexpr double kMostBehind = 0.30;    // of the view's height, by which it stays behind
+constexpr double kFitBodyShare = 0.46;  // of the view, filled by a body that is fit into it
 constexpr double kTrailPixels = 2.2;
 
 Vec2 mouse_in(const SceneCanvas& canvas) {
@@ -117,22 +117,22 @@ void SpaceView::place_camera(const FrameContext& frame, const SceneCanvas& canva
     const Viewport viewport = canvas.size();
     const PlayedCreature& creature = frame.viewer.playback.creature();
     const Vec3 center = creature.motion().center();
-    const double radius = reach_from(creature.phenotype(), creature.motion().poses(), center);
+    std::vector<Vec3> corners;
+    add_corners(corners, creature.phenotype(), creature.motion().poses());
     if (std::exchange(sides_seen_, frame.viewer.sides_asked) != frame.viewer.sides_asked)
         look_from(frame.viewer.side);
-    const double scale = orbit_.seen(viewport).pixels_per_metre;
-    const double share = 2.0 * radius * scale / std::min(viewport.width, viewport.height);
+    const double share = orbit_.share_of(corners, viewport);
     // A new creature keeps the distance, so that sizes can be compared, unless it would not be
     // visible.
-    if (fit || (changed && (share > 0.95 || share < 0.15))) {
-        orbit_.fit(center, radius, kSphereShare, viewport);
+    if (fit || (changed && (share > 0.8 || share < 0.2))) {
+        orbit_.fit(corners, kFitBodyShare, viewport);
     } else if (frame.view.follow && changed) {
         orbit_.target = center;
     } else if (frame.view.follow) {
         Vec3 wanted = center;
         wanted.y() = orbit_.target.y() + kHeightShare * (center.y() - orbit_.target.y());
         orbit_.approach(wanted, static_cast<double>(ImGui::GetIO().DeltaTime), kOrbitLag,
-                        kMostBehind * viewport.height / scale);
+                        kMostBehind * viewport.height / orbit_.seen(viewport).pixels_per_metre);
     }
 }
 
