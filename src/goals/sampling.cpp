@@ -13,11 +13,15 @@ constexpr double kTotalWeight = 7.0;
 
 }  // namespace
 
-const MotionSample& sample_at(const TrialRecord& record, double share) {
+std::size_t sample_index(const TrialRecord& record, double share) {
     CAMBRIAN_ASSERT(!record.samples.empty(), "a completed record has samples");
     const double last = static_cast<double>(record.samples.size() - 1);
     const double index = std::clamp(std::nearbyint(share * last), 0.0, last);
-    return record.samples[static_cast<std::size_t>(index)];
+    return static_cast<std::size_t>(index);
+}
+
+const MotionSample& sample_at(const TrialRecord& record, double share) {
+    return record.samples[sample_index(record, share)];
 }
 
 WindowSpeeds window_speeds(const TrialRecord& record, const Vec3& direction) {

@@ -8,6 +8,7 @@ namespace cambrian {
 
 // Returns the sample nearest to a share (0 to 1) of the test phase; the record must have samples.
 const MotionSample& sample_at(const TrialRecord& record, double share);
+std::size_t sample_index(const TrialRecord& record, double share);
 
 // Starts of four windows, each a fifth of the test phase. The first fifth is ignored.
 inline constexpr std::array<double, 4> kWindowStarts = {0.2, 0.4, 0.6, 0.8};  // shares

@@ -34,13 +34,13 @@ struct Progress {
     double credit() const { return kShareOfAll * all + (1.0 - kShareOfAll) * kWindows * slowest; }
 };
 
-// Returns the progress of an edge, whose coordinate in a sample is given.
+// Returns the progress of an edge, whose coordinate at a sample's index is given.
 template <class Edge>
 Progress progress_of(const TrialRecord& record, Edge edge) {
     Progress progress;
-    double before = edge(sample_at(record, kSeams.front()));
+    double before = edge(sample_index(record, kSeams.front()));
     for (std::size_t i = 1; i < kSeams.size(); ++i) {
-        const double now = edge(sample_at(record, kSeams[i]));
+        const double now = edge(sample_index(record, kSeams[i]));
         const double moved = now - before;
         progress.all += moved;
         progress.slowest = i == 1 ? moved : std::min(progress.slowest, moved);
@@ -50,15 +50,14 @@ Progress progress_of(const TrialRecord& record, Edge edge) {
 }
 
 Progress progress_towards(const TrialRecord& record, int direction) {
-    return progress_of(record, [direction](const MotionSample& sample) {
-        return trailing_edge(sample, direction);
+    return progress_of(record, [&](std::size_t sample) {
+        return trailing_edge(record.samples[sample], direction);
     });
 }
 
 Progress progress_along(const TrialRecord& record, std::size_t heading) {
     const std::size_t back = (heading + kHeadings / 2) % kHeadings;
-    return progress_of(record,
-                       [back](const MotionSample& sample) { return -sample.supports[back]; });
+    return progress_of(record, [&](std::size_t sample) { return -record.supports[sample][back]; });
 }
 
 Progress best_progress_in_space(const TrialRecord& record) {

@@ -83,6 +83,8 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
     progress_.record.up = up_of(world.environment);
     progress_.record.passive_sink = passive_sink(world_.environment);
     progress_.record.samples.reserve(test_length_ / kTicksPerSample + 2);
+    if (world_.environment.dimensions == 3)
+        progress_.record.supports.reserve(test_length_ / kTicksPerSample + 2);
     impacts_.reserve(kMostImpacts);
     if (world_.environment.has_light) progress_.record.legs.reserve(leg_count());
     if (!bout_) place_at_start();
@@ -240,6 +242,7 @@ void Trial::stop_early(Outcome outcome, std::string reason) {
         MotionSample repeated = progress_.record.samples.back();
         repeated.time = static_cast<double>(tick) * kBrainTick;
         progress_.record.samples.push_back(repeated);
+        progress_.record.repeat_supports();
     }
     progress_.record.legs.rest(leg_count());
     progress_.record.outcome = outcome;
@@ -264,9 +267,9 @@ void Trial::watch_body() {
 }
 
 void Trial::sample() {
-    MotionSample sample{time(), scene_->center_of_mass(), scene_->bounds()};
-    if (progress_.record.dimensions == 3) sample.supports = supports_of(*scene_);
-    progress_.record.samples.push_back(sample);
+    TrialRecord& record = progress_.record;
+    record.samples.push_back({time(), scene_->center_of_mass(), scene_->bounds()});
+    if (record.dimensions == 3) record.supports.push_back(supports_of(*scene_));
     add_to_digest();
 }
 

@@ -4,6 +4,14 @@
 
 namespace cambrian {
 
+void TrialRecord::repeat_supports(const Vec3& moved) {
+    if (supports.empty()) return;
+    Supports next = supports.back();
+    for (std::size_t k = 0; k < kHeadings; ++k)
+        next[k] += moved.dot(headings()[k]);
+    supports.push_back(next);
+}
+
 bool is_invalid(Outcome outcome) {
     return outcome == Outcome::kDiverged || outcome == Outcome::kDisqualified ||
            outcome == Outcome::kOverBudget;

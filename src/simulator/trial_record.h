@@ -71,8 +71,7 @@ private:
 struct MotionSample {
     double time = 0.0;  // s since the test began
     Vec3 center_of_mass = Vec3::Zero();
-    Bounds bounds;           // of all corners
-    Supports supports = {};  // in space; 0 in the plane
+    Bounds bounds;  // of all corners
 };
 
 struct TrialRecord {
@@ -94,11 +93,15 @@ struct TrialRecord {
     double reversal_rate = 0.0;
     double mean_reversal_rate = 0.0;    // Hz, of all joints that can move
     std::vector<MotionSample> samples;  // every 0.1 s from 0 to duration, unless failed
+    std::vector<Supports> supports;     // of the same moments; in space only
     JumpWatch jumps;                    // of every tick of the test phase
     LightLegs legs;                     // of the same; none without a light
     std::optional<BoutDistances> bout;  // at the end of a contest
     SceneAudit audit;                   // of the test phase
     std::uint64_t digest = 0;           // of the state at the start of settling and at every sample
+
+    // Adds the last supports, moved by so much (m), for a sample that was not computed.
+    void repeat_supports(const Vec3& moved = Vec3::Zero());
 };
 
 }  // namespace cambrian

@@ -1,14 +1,17 @@
 // The evolved samples do what their goals ask for, and earn it by their muscles.
 #include "core/sample_statistics.h"
+#include "creature/placement.h"
 #include "evolution/evaluation/evaluation.h"
 #include "evolution/evaluation/trials.h"
 #include "genome/founders/random_genome.h"
 #include "math/angle.h"
 #include "persist/creature/creature_file.h"
+#include "persist/settings/settings_file.h"
 #include "support/catch.h"
 #include "support/kinds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -137,4 +140,37 @@ TEST_CASE("samples fly better than any passive body", "[goals][samples]") {
         CHECK(result.outcome == Outcome::kCompleted);
         CHECK(result.fitness > 1.5 * best_parachute);
     }
+}
+
+TEST_CASE("a walker's score in space hardly depends on the way that it faces", "[goals][samples]") {
+    const EvolutionKinds& space = test::spatial_kinds();
+    const ExperimentSettings settings = default_settings("walking", space);
+    const auto score_at = [&](const Genome& walker, double heading) {
+        Genome turned = walker;
+        turn_root(turned, 0.0, heading);
+        return evaluate_in_trials({.genome = std::make_shared<const Genome>(std::move(turned)),
+                                   .trial_seed = trial_seed(settings)},
+                                  settings, space)
+            .fitness;
+    };
+    constexpr double depth = 0.3;
+    constexpr int headings = 8;
+    double change = 0.0;
+    int walkers = 0;
+    for (const Sample& sample : samples_of("walking")) {
+        Genome walker = lifted(*sample.genome, depth);
+        repair(walker, space.creature.catalog);
+        const double straight = score_at(walker, 0.0);
+        if (straight < 0.1) continue;  // falls over to a side that the plane has not
+        double mean = 0.0;
+        for (int turn = 0; turn < headings; ++turn)
+            mean += score_at(walker, 0.1 + 0.7 * turn) / headings;
+        INFO(sample.name << " " << straight << " facing x, " << mean << " otherwise");
+        CHECK(mean == Approx(straight).epsilon(0.05));
+        change += (mean - straight) / straight;
+        ++walkers;
+    }
+    CAPTURE(change / walkers);
+    CHECK(walkers >= 5);
+    CHECK(std::fabs(change / walkers) < 0.02);
 }

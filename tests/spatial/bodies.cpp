@@ -132,7 +132,7 @@ void stand(PhysicsScene& scene) {
     scene.translate({-center.x(), 0.02 - scene.lowest_point(), -center.z()});
 }
 
-void begin_box(PhysicsScene& scene, const BoxMotion& box) {
+void begin_box(PhysicsScene& scene, const SolidMotion& box) {
     const Vec3 half = scene.part_half_extents(0);
     const Vec3 squares = half.cwiseProduct(half);
     const Vec3 inertia =

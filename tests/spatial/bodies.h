@@ -39,13 +39,13 @@ void run_ticks(PhysicsScene& scene, int ticks);
 void stand(PhysicsScene& scene);
 
 // Gives a single box at rest this place, attitude, velocity (m/s) and spin (rad/s).
-struct BoxMotion {
+struct SolidMotion {
     Vec3 place = Vec3::Zero();
     Rotation attitude = Rotation::Identity();
     Vec3 velocity = Vec3::Zero();
     Vec3 spin = Vec3::Zero();
 };
-void begin_box(PhysicsScene& scene, const BoxMotion& motion);
+void begin_box(PhysicsScene& scene, const SolidMotion& motion);
 
 // Returns the angular momentum about the centre of mass, from the parts.
 Vec3 angular_momentum(const PhysicsScene& scene, double density);

@@ -20,7 +20,7 @@ bool is_honest(const SceneAudit& audit) {
 // Section 15.3 of the design, with fewer creatures.
 TEST_CASE("Random creatures on the ground never break physics") {
     for (const int parts : {3, 6, 12, 24}) {
-        const int creatures = parts < 24 ? 24 : 8;
+        const int creatures = parts < 24 ? 60 : 20;
         double seconds = 0.0;
         double most_evaluations = 0.0;
         double deepest = 0.0;

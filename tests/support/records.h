@@ -24,9 +24,11 @@ inline TrialRecord moving_box(double duration, double length, double height,
         MotionSample sample{time, center, {}};
         sample.bounds.add(center + Vec3(0.5 * length, 0.5 * height, 0.0));
         sample.bounds.add(center - Vec3(0.5 * length, 0.5 * height, 0.0));
-        for (std::size_t k = 0; k < kHeadings; ++k)
-            sample.supports[k] = headings()[k].dot(center) + 0.5 * length;
         record.samples.push_back(sample);
+        Supports supports;
+        for (std::size_t k = 0; k < kHeadings; ++k)
+            supports[k] = headings()[k].dot(center) + 0.5 * length;
+        record.supports.push_back(supports);
     }
     const int ticks = static_cast<int>(duration / kBrainTick + 0.5);
     for (int i = 0; i <= ticks; ++i) {

@@ -38,6 +38,7 @@ TrialRecord ran_on(TrialRecord record, const Vec3& velocity) {
         const Vec3 center = last.center_of_mass + time * velocity;
         record.jumps.watch(last.bounds.low.y() + time * velocity.y(), center.dot(record.up));
     }
+    Vec3 before = Vec3::Zero();
     while (record.samples.back().time < record.duration) {
         MotionSample next = last;
         next.time = std::min(record.samples.back().time + kSamplePeriod, record.duration);
@@ -45,9 +46,9 @@ TrialRecord ran_on(TrialRecord record, const Vec3& velocity) {
         next.center_of_mass += moved;
         next.bounds.low += moved;
         next.bounds.high += moved;
-        for (std::size_t k = 0; k < kHeadings; ++k)
-            next.supports[k] += moved.dot(headings()[k]);
         record.samples.push_back(next);
+        record.repeat_supports(moved - before);
+        before = moved;
     }
     return record;
 }
