@@ -476,7 +476,23 @@ void SpacePainter::draw_around(const SpaceFrame& frame, const Seen& seen) {
         std::copy(column.begin(), column.end(), look.begin() + 3 * k);
     }
     glUniformMatrix3fv(shader.uniform("look"), 1, GL_FALSE, look.data());
+    // Above a floor, only what is over the horizon is seen.
+    const double rise = seen.camera.back.y();
+    const double over_floor =
+        frame.floor ? seen.eye.y() - frame.floor->height + frame.camera.target.y() : 0.0;
+    if (over_floor > 0.0 && std::fabs(rise) < 0.9) {
+        const double focal = seen.camera.pixels_per_metre * seen.camera.distance();
+        const double level = std::sqrt(1.0 - rise * rise);
+        const double horizon = 0.5 * seen.height + focal * rise / level;
+        // The floor ends a little below it.
+        const double gap = focal * over_floor / (kFloorReach * seen.camera.distance());
+        const double most = seen.height;
+        const int low =
+            static_cast<int>(std::clamp(horizon - 4.0 - 2.0 * gap / (level * level), 0.0, most));
+        glScissor(0, low, seen.width, seen.height - low);
+    }
     objects_->draw_cover();
+    glScissor(0, 0, seen.width, seen.height);
 }
 
 void SpacePainter::draw_floor(const SpaceFrame& frame, const Seen& seen) {

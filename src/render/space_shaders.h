@@ -73,8 +73,11 @@ out vec4 color;
 void main() {
     vec2 at = place.xz - origin;
     vec3 paint = base;
-    if (surface.x > 0.0)
-        paint *= 1.0 + surface.x * (texture(grain, at * 0.11).r + texture(grain, at * 0.47).r - 1.0);
+    if (surface.x > 0.0) {
+        float fine = texture(grain, at * 0.47).r;
+        float coarse = surface.y > 0.0 ? texture(grain, at * 0.11).r : fine;
+        paint *= 1.0 + surface.x * (fine + coarse - 1.0);
+    }
     if (surface.y > 0.0) {
         float one = texture(grain, at * 0.21 + surface.zw).g;
         float other = texture(grain, at * 0.26 - surface.wz).g;

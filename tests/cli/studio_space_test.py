@@ -2,6 +2,7 @@
 opened again, and the window goes from one world to the other."""
 
 import json
+import subprocess
 import unittest
 
 from program import ROOT, SMALL
@@ -19,9 +20,9 @@ duration = 2
 
 
 class StudioSpace(StudioTest):
-    def evolve_one_generation(self, display):
+    def evolve_one_generation(self, display, *options):
         self.write("swim.toml", SMALL_3D)
-        self.start(display, "swim.toml")
+        self.start(display, "swim.toml", *options)
         self.wait_for("founders", count=8)
         self.assert_painted(display.picture("space-founders-1280x800.png"))
         self.press("g")
@@ -54,22 +55,40 @@ class StudioSpace(StudioTest):
         self.wait_for("place", name="axes")
         self.quit()
 
+    def seen(self, display):
+        """Returns the pixels in the middle of the viewport."""
+        place = self.wait_for("place", name="viewport")[0]
+        width, height = int(place["width"] / 2), int(place["height"] / 2)
+        crop = f"{width}x{height}+{int(place['x']) + width // 2}+{int(place['y']) + height // 2}"
+        return subprocess.run(["convert", str(display.picture("space-view.png")), "-crop", crop,
+                               "rgb:-"], check=True, stdout=subprocess.PIPE).stdout
+
     def test_keys_and_mouse_turn_the_view_and_pull_parts(self):
-        display = self.open_display(painted=False)
-        self.evolve_one_generation(display)
+        display = self.open_display()
+        self.evolve_one_generation(display, "--scenery", "light")
         self.press("p")  # so that it stays where it is
-        self.press("Home")
-        for key in ["KP_1", "KP_3", "KP_7", "KP_5"]:
-            self.press(key)
-        x, y = self.place_of("axes")
-        display.act(["mousemove", x, y], ["mousedown", 1], ["mousemove", x + 30, y + 10],
-                    ["mouseup", 1])
         x, y = self.place_of("viewport")
-        display.act(["mousemove", x, y], ["click", 4], ["mousedown", 3],
-                    ["mousemove", x + 60, y + 20], ["mouseup", 3], ["mousedown", 1],
-                    ["mousemove", x + 9, y], ["mouseup", 1])
-        self.press("l")
-        self.press("l")
+        display.act(["mousemove", 5, 5])
+        self.press("Home")
+        display.wait_for_frames(8)
+        slanted = self.seen(display)
+        self.assertEqual(self.seen(display), slanted)
+        for key in ["KP_1", "KP_3", "KP_7"]:
+            self.press(key)
+            self.assertNotEqual(self.seen(display), slanted, key)
+        self.press("KP_5")
+        self.assertEqual(self.seen(display), slanted)
+        display.act(["mousemove", x, y], ["mousedown", 1], ["mousemove", x + 60, y + 30])
+        self.assertNotEqual(self.seen(display), slanted)  # the hand and the body it holds
+        display.act(["mouseup", 1], ["mousemove", 5, 5])
+        axes_x, axes_y = self.place_of("axes")
+        display.act(["mousemove", axes_x, axes_y], ["mousedown", 1],
+                    ["mousemove", axes_x + 40, axes_y + 10], ["mouseup", 1], ["mousemove", 5, 5])
+        turned = self.seen(display)
+        self.assertNotEqual(turned, slanted)
+        display.act(["mousemove", x, y + 150], ["mousedown", 3], ["mousemove", x + 80, y + 150],
+                    ["mouseup", 3], ["mousemove", 5, 5])
+        self.assertNotEqual(self.seen(display), turned)
         self.quit()
 
     def test_the_window_goes_from_one_world_to_the_other_and_keeps_both_runs(self):

@@ -126,6 +126,7 @@ void SpaceView::place_camera(const FrameContext& frame, const SceneCanvas& canva
     // visible.
     if (fit || (changed && (share > 0.8 || share < 0.2))) {
         orbit_.fit(corners, kFitBodyShare, viewport);
+        if (frame.view.follow) orbit_.target = center;
     } else if (frame.view.follow && changed) {
         orbit_.target = center;
     } else if (frame.view.follow) {
