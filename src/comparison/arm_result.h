@@ -1,6 +1,6 @@
 #pragma once
 
-// What the finished runs of an arm in one world say: their median, and how it compares with
+// The result of an arm's finished runs in one world: their median, and how it compares with
 // another arm.
 
 #include "comparison/compared_run.h"

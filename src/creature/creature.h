@@ -71,7 +71,7 @@ private:
     const Phenotype* phenotype_;
     const Kinds* kinds_;
     const SceneSettings* settings_;
-    // Of the last tick.
+    // These are of the last tick.
     const BodyView* body_ = nullptr;
     const Surroundings* surroundings_ = nullptr;
     double tick_ = 0.0;             // s; its length

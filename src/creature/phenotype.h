@@ -56,7 +56,7 @@ struct GrownOrgan {
     std::uint16_t part = 0;
     std::uint8_t kind = 0;  // index into the organ registry
     std::array<double, gene_range::kMaxOrganParameters> parameters = {};
-    // Where and how it is drawn (organs/organ.h).
+    // The place and the look of its mark (organs/organ.h).
     double place = 0.0;
     OrganMark mark = OrganMark::kDots;
     bool deforms = false;  // whether it makes its part deformable

@@ -1,6 +1,6 @@
 #pragma once
 
-// How steps are chosen and judged, in the plane and in space (planar/README.md 13 to 16).
+// The choice and the judgement of steps, in the plane and in space (planar/README.md 13 to 16).
 
 #include "math/elementary.h"
 #include "world/physics_scene.h"

@@ -10,7 +10,7 @@
 
 namespace cambrian {
 
-// Where opponents come from.
+// The creatures that others contend with.
 struct OpponentSource {
     std::span<const GenomePtr> champions;       // the best of each earlier generation, in order
     std::span<const IndividualPtr> population;  // not empty; only of use before the first champion

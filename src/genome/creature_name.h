@@ -1,6 +1,6 @@
 #pragma once
 
-// What a creature is called.
+// The names of creatures.
 
 #include "genome/genome.h"
 

@@ -13,7 +13,7 @@
 
 namespace cambrian {
 
-// How many widths to the right and heights above something an image of it is.
+// An image of something, so many widths to the right of it and heights above it.
 struct Periods {
     std::int32_t x = 0, y = 0;
 

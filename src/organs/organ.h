@@ -39,7 +39,7 @@ struct OrganSite {
     double& memory;                      // a number of the organ's own, 0 at birth
 };
 
-// How an organ is drawn on its part.
+// The look of an organ on its part.
 enum class OrganMark : std::uint8_t { kArcs, kDots, kArrows, kMouth };
 
 struct OrganKind {

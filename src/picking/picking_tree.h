@@ -16,7 +16,7 @@
 
 namespace cambrian {
 
-// How a grid was made.
+// The way in which a grid was made.
 enum class GridOrigin : std::uint8_t {
     kPopulation,  // chosen from an automatic population
     kCreatures,   // given creatures and their children

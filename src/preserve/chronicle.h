@@ -1,6 +1,6 @@
 #pragma once
 
-// What happened in a preserve, for its file.
+// The record of a preserve, for its file.
 
 #include "genome/genome.h"
 #include "preserve/life/life.h"
@@ -16,7 +16,7 @@ namespace cambrian {
 
 struct PreserveState;
 
-// What people may do to a preserve between two ticks, and what it does by itself that is no birth
+// Names of all that people may do to a preserve, and of what it does by itself that is no birth
 // and no death (preserve/README.md 8).
 namespace intervention {
 inline constexpr const char* kRestock = "restock";  // by itself
@@ -42,7 +42,7 @@ struct Intervention {
     GenomePtr genome = {};          // for kAdd
 };
 
-// What happened since it was taken last.
+// All that happened since it was taken last.
 struct Chronicle {
     std::vector<Life> born;
     std::vector<Life> died;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What people do to a preserve between two ticks (preserve/README.md 8).
+// The interventions of people between two ticks (preserve/README.md 8).
 
 #include "preserve/population.h"
 

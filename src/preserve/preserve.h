@@ -56,7 +56,7 @@ public:
     Energy total_energy() const;  // the same in every tick
     Energy founding_energy() const { return world_.energy.constant; }
     SeriesRow row() const;  // of the present moment
-    // Of solid bodies since the preserve began or was resumed; 0 if bodies are ghostly.
+    // Counts solid bodies since the preserve began or was resumed; 0 if bodies are ghostly.
     SolidCounts solid_counts() const { return motion_.counts(); }
 
     PreserveState save() const;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What all parts of a preserve work on: its settings, its place, its energy and the record of what
+// The state that all parts of a preserve share: settings, place, energy and the record of what
 // happens.
 
 #include "core/random.h"

@@ -12,7 +12,7 @@ namespace cambrian {
 
 inline constexpr std::uint64_t kTicksPerRow = 600;  // 10 s
 
-// What happened since the row before.
+// Counts what happened since the row before.
 struct Tally {
     std::uint64_t births = 0;
     std::uint64_t restocked = 0;

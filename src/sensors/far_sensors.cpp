@@ -1,4 +1,4 @@
-// What comes from afar: light, sound and smells; and the creature's own hunger.
+// Senses of what comes from afar: light, sound and smells; and of the creature's own hunger.
 
 #include "math/elementary.h"
 #include "sensors/frames.h"

@@ -1,4 +1,4 @@
-// What a part feels of its joint to the parent and of its own stretch.
+// Senses of a part's joint to the parent and of its own stretch.
 
 #include "sensors/frames.h"
 #include "sensors/kinds.h"

@@ -1,4 +1,4 @@
-// How a part moves and which way is up.
+// Senses of a part's motion and of which way is up.
 
 #include "sensors/frames.h"
 #include "sensors/kinds.h"

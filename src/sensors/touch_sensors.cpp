@@ -1,4 +1,4 @@
-// What touches a part.
+// Senses of touch.
 
 #include "sensors/frames.h"
 #include "sensors/kinds.h"

@@ -42,7 +42,7 @@ bool RestWatch::memory_rests(std::span<const double> memory) const {
     });
 }
 
-// What moves mostly shows in the targets already, or in the first part.
+// Motion mostly shows in the targets already, or in the first part.
 bool RestWatch::watch(const PhysicsScene& scene, const Brain& brain) {
     const std::span<const double> memory = brain.memory();
     const bool rests =

@@ -202,7 +202,7 @@ bool Trial::rests() {
            progress_.rest.watch(*scene_, creature_.brain());
 }
 
-// What the creature and its impacts gave off in this tick can be sensed in the next one.
+// Sounds and scents of the creature and its impacts can be sensed in the next tick.
 void Trial::pass_on_emissions() {
     scene_->list_impacts(impacts_);
     surroundings_.take(creature_.emissions(), impacts_, progress_.test_ticks);

@@ -18,7 +18,7 @@
 
 namespace cambrian {
 
-// How the evaluation of a creature ended.
+// The end of a creature's evaluation.
 enum class Outcome : std::uint8_t {
     kCompleted,
     kStoppedEarly,  // terminated because the rest could not matter

@@ -21,7 +21,7 @@ struct Remembered {
     ExperimentSettings settings;
     std::string experiment;  // file of the open experiment; empty for the folder's own
     ClusterMemory cluster;
-    // What became of settings that could not be read, in words for the user; empty if they could.
+    // Tells the user what became of settings that could not be read; empty if they could.
     std::string fault = {};
     std::vector<std::filesystem::path> recent = {};  // runs used lately, the last one first
 

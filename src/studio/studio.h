@@ -16,7 +16,7 @@
 
 namespace cambrian {
 
-// How the window is drawn.
+// The way in which the window is drawn.
 struct WindowDrawing {
     int width = 1280;  // size of the window, in units of 1/96 inch
     int height = 800;

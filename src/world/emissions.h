@@ -1,6 +1,6 @@
 #pragma once
 
-// What creatures give off in one tick, for others to hear and smell (simulator/README.md 6).
+// The sounds and scents of one tick, for others to hear and smell (simulator/README.md 6).
 
 #include "math/types.h"
 

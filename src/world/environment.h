@@ -8,7 +8,7 @@ namespace cambrian {
 
 inline constexpr double kEarthGravity = 9.81;  // m/s^2
 
-// How the light moves (simulator/README.md 5).
+// The light's motion (simulator/README.md 5).
 inline constexpr std::array<std::string_view, 3> kLightMotionIds = {"still", "jumping",
                                                                     "wandering"};
 

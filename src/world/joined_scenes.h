@@ -21,7 +21,7 @@ public:
     virtual SceneStatus advance(std::span<PhysicsScene* const> scenes, double duration,
                                 SceneWorkspace& workspace) = 0;
 
-    // What the next tick starts from besides the scenes themselves: the contacts of the last one.
+    // The next tick starts from these besides the scenes themselves: the contacts of the last one.
     // It may be restored only into the object that made it, or one of equal scenes.
     virtual std::unique_ptr<SceneState> save() const = 0;
     virtual void restore(const SceneState& state) = 0;

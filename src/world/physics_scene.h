@@ -76,7 +76,7 @@ public:
     virtual ~SceneState() = default;
 };
 
-// What decides whether scenes can be advanced as one (joined_scenes.h).
+// Scenes with equal ones can be advanced as one (joined_scenes.h).
 struct SceneSize {
     int bodies = 0, trees = 0, parts = 0;
 
@@ -97,7 +97,7 @@ public:
     virtual ~SceneWorkspace() = default;
 };
 
-// What a scene needs to go on with its motion, without what it remembers of contacts.
+// All that a scene needs to go on with its motion, without what it remembers of contacts.
 struct SceneMotion {
     // Of its coordinates; the last are those of the centre of mass of a body without loops.
     std::vector<double> positions, speeds;

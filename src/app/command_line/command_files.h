@@ -12,7 +12,7 @@
 
 namespace cambrian {
 
-// What a command writes into a file, and the endings that its name may have; the first is the usual
+// A form of output, and the endings that its file's name may have; the first is the usual
 // one.
 struct OutputForm {
     std::string_view what;  // "a creature"

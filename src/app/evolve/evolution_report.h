@@ -10,7 +10,7 @@
 
 namespace cambrian {
 
-// What all lines about a run share.
+// Facts that all lines about a run share.
 struct ReportedRun {
     std::uint64_t seed = 0;
     std::string unit;   // of the goal

@@ -335,7 +335,7 @@ void say_how_to_go_on(const Course& course) {
                         : fmt::format(" --generations {}", course.limits.generations)));
 }
 
-// How a run ended.
+// The end of a run.
 struct RunEnd {
     ExitStatus status = ExitStatus::kDone;
     bool interrupted = false;

@@ -19,7 +19,7 @@ struct RunOutputs {
     bool numbered = false;             // the names are free ones of a folder
 };
 
-// What decides on the names of the files.
+// All that the names of the files follow from.
 struct OutputWish {
     const std::string& asked;
     const ExperimentSettings& settings;

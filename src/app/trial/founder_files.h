@@ -14,7 +14,7 @@
 
 namespace cambrian {
 
-// How many founders there may be, the setting that says so, and the option that names them.
+// The most founders there may be, the setting that says so, and the option that names them.
 struct FounderPlaces {
     std::string_view setting;
     int count = 0;

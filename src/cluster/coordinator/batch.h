@@ -55,7 +55,7 @@ public:
     // Returns the next task of a core of this machine; nothing while it must wait.
     std::optional<HomeTask> next_home_task(double now, const Cores& cores);
     std::optional<double> next_due() const { return ledger_.next_due(); }
-    // How long a computation took, s; 0 if unknown.
+    // The time that a computation took, s; 0 if unknown.
     struct Took {
         double processor = 0.0;
         double wall = 0.0;
@@ -77,7 +77,7 @@ public:
     void not_deliverable(std::uint32_t unit) { ledger_.expect_no_more(unit); }
     bool anything_outstanding() const { return ledger_.outstanding() > 0; }
 
-    // What of a result counted. Each worker counts once for a creature.
+    // The part of a result that counted. Each worker counts once for a creature.
     struct Taken {
         std::size_t creatures = 0;
         std::uint64_t work = 0;  // EvaluationResult::work of them

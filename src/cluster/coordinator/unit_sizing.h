@@ -35,7 +35,7 @@ struct Cores {
     std::size_t all() const { return own + remote; }
 };
 
-// What is left of a batch, in s of one core.
+// The work that is left of a batch, in s of one core.
 struct LeftWork {
     double open = 0.0;  // that nobody has
     double sent = 0.0;  // that workers have

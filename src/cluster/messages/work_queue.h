@@ -38,7 +38,7 @@ struct UnitId {
 struct UnitMessage {
     UnitId id;
     std::string body;
-    // Of a result, the login of its worker, for which the server vouches.
+    // The login of a result's worker, for which the server vouches.
     std::string login = {};
 };
 
@@ -68,7 +68,7 @@ enum class Publishing : std::uint8_t {
 // The messages that a coordinator's queue received since the last poll().
 struct CoordinatorNews {
     std::vector<UnitMessage> results;  // of the present run
-    // Of workers and of other coordinators. That of a worker comes before its results.
+    // They are of workers and of other coordinators. A worker's comes before its results.
     std::vector<HeardHello> hellos;
     // Accepted, but then rejected by the server or lost with the connection.
     std::vector<UnitId> not_published;

@@ -29,7 +29,7 @@ struct JsonValue {
     const char* kind_in_words() const;
 };
 
-// How an object or a list is written. One inside an object or a list that is not kLines has the
+// The layout of an object or a list in text. One inside an object or a list not kLines has the
 // layout of that one.
 enum class JsonLayout : std::uint8_t {
     kLines,    // one value per line, indented by two spaces

@@ -21,7 +21,7 @@ namespace cambrian {
 // read.
 bool is_preserve_file(const std::filesystem::path& path);
 
-// What a preserve follows from.
+// All that a preserve follows from.
 struct PreserveOrigin {
     SettingsPtr settings;
     std::vector<GenomePtr> founders;

@@ -215,7 +215,7 @@ void PreserveWriter::put_pins(const Pins& pins) {
     database_.prepare("INSERT OR REPLACE INTO facts VALUES (?, ?)").run(kPinsFact, pins_text(pins));
 }
 
-// Of the interventions at the snapshot's own tick, those after the last rest are not in it.
+// Interventions at the snapshot's own tick that came after the last rest are not in it.
 void PreserveWriter::remove_after(const PreserveState& state) {
     database_
         .prepare(

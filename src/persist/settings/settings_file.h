@@ -15,7 +15,7 @@
 
 namespace cambrian {
 
-// What a settings file describes, which decides its tables.
+// A settings file describes one of these, which decides its tables.
 enum class SettingsUse : std::uint8_t { kExperiment, kPreserve };
 
 // Returns what a text describes: a preserve if it has the table [preserve].

@@ -1,6 +1,6 @@
 #pragma once
 
-// How deeply a TOML text nests, which is known before it is parsed. The library makes and deletes
+// The depth to which a TOML text nests, known before it is parsed. The library makes and deletes
 // nested values by functions that call themselves, and keys with dots nest without any bracket.
 
 #include <cstddef>

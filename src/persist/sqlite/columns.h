@@ -14,7 +14,7 @@
 
 namespace cambrian {
 
-// How a number is written in CSV.
+// The form of a number in CSV.
 enum class CellForm : std::uint8_t { kPlain, kUid };
 
 template <class Row>

@@ -40,7 +40,7 @@ CAMBRIAN_INLINE PlacedBoxes<Simd4d> four_boxes(const PartPlaces& places, int fir
             load_lanes(places.half_length + first), load_lanes(places.half_width + first)};
 }
 
-// How two boxes lie to each other. One of the two may be four boxes, each beside the other.
+// The way in which two boxes lie. One of the two may be four boxes, each beside the other.
 template <class Scalar>
 struct BoxRelation {
     Scalar x, y;    // m, from the centre of the first to that of the second
@@ -94,7 +94,7 @@ struct BoxEnds {
     const PartPlaces& to;
 };
 
-// What each box does between the ends.
+// The motion of each box between the ends.
 struct BoxTravels {
     PerPart turn;    // rad
     PerPart swing;   // m; most that a point within the circle around it moves beside its centre

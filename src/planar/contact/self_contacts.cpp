@@ -232,7 +232,7 @@ void PairList::detect(const PlanarModel& model, const Kinematics& kinematics,
         const Group& group = listed_[l];
         const BoxAndFour boxes = box_and_four(model, places, group.first, group.second);
         const Simd4d reach = boxes.reach + kContactMargin;
-        // What is not a number is not far.
+        // A distance that is not a number is not far.
         const unsigned far = true_lanes(squared_length(boxes.from_first) >= reach * reach);
         const unsigned near = group.near & ~far;
         if (near == 0) continue;

@@ -10,7 +10,7 @@
 
 namespace cambrian {
 
-// How many numbers of each kind a model has. Memory that serves several models in turn is filled
+// Counts of a model's numbers of each kind. Memory that serves several models in turn is filled
 // and cleared by these counts.
 
 struct NumberCounts {

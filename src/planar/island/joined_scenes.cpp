@@ -12,7 +12,7 @@
 namespace cambrian {
 namespace {
 
-// Where a member's numbers begin among those of all.
+// Offsets of a member's numbers among those of all.
 struct Offset {
     int body = 0, tree = 0, part = 0;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a scene knows of its creature's body, so that several bodies can be advanced as one.
+// The knowledge of a scene about its creature's body, so that several can be advanced as one.
 
 #include "planar/stepping/step_control.h"
 #include "world/joined_scenes.h"

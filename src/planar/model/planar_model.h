@@ -16,7 +16,7 @@
 
 namespace cambrian {
 
-// Of one creature.
+// The numbers of one creature.
 inline constexpr int kMostPlannedBodies = 32;
 inline constexpr int kMostPlannedTrees = 8;
 // Of several creatures that are advanced as one. Arrays of 60 numbers do not all begin at the same

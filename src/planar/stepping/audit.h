@@ -1,6 +1,6 @@
 #pragma once
 
-// What is watched beside the motion: energies (planar/README.md 16), angular momenta of trees
+// The audit watches beside the motion: energies (planar/README.md 16), angular momenta of trees
 // with their correction (17), and the forces on measured parts.
 
 #include "planar/contact/contact.h"
@@ -12,7 +12,7 @@ namespace cambrian {
 // Kinetic and potential energy, J; the potential is 0 at the origin.
 double mechanical_energy(const PlanarModel& model, const Medium& medium, const Motion& motion,
                          double kinetic);
-// Of the present state, whose cache must be current.
+// Returns that of the present state, whose cache must be current.
 double mechanical_energy(const PlanarModel& model, const Medium& medium, SimulationState& state);
 
 // Raises the audit's maxima to the fastest centre of a part and the fastest spin.

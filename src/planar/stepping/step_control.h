@@ -107,7 +107,7 @@ struct SolverTally {
     std::uint64_t impacts = 0, impacts_failed = 0;
 };
 
-// What decides which numbers of a cache are computed.
+// These decide which numbers of a cache are computed.
 struct ComputedParts {
     NumberCounts counts;
     int dense_blocks = 0;

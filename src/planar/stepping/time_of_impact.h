@@ -27,7 +27,7 @@ void interpolate_motion(int slots, const StepEnds& step, double share, Motion& m
 // deeper than the contact band. The solver must have detected the contacts there.
 bool has_new_impact(const ContactSolver& contacts);
 
-// What boxes do to each other within a step.
+// The first new contact of boxes within a step, if any.
 struct Crossing {
     double share = 1.0;  // of the step, at which a new contact penetrates; 1 if none does
     double depth = 0.0;  // m; deepest penetration up to there, of contacts that were selected

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where a body is and how far it can get within a tick.
+// The place of a body and the farthest it can get within a tick.
 
 #include "preserve/world/rectangle.h"
 #include "world/body_view.h"

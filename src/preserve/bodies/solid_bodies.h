@@ -29,7 +29,7 @@ struct SolidBody {
     SceneStatus status = SceneStatus::kRunning;  // after the tick
 };
 
-// What bodies do besides moving, by index. All are called on any worker.
+// Calls for what bodies do besides moving, by index, on any worker.
 struct SolidActs {
     // While the scene has a workspace.
     std::function<void(std::size_t)> begin;  // once, before the body moves
@@ -66,7 +66,7 @@ public:
     void forget();
 
     const SolidCounts& counts() const { return counts_; }
-    // Of the last tick: whether two bodies were advanced as one, by index.
+    // Returns whether two bodies, by index, were advanced as one in the last tick.
     bool were_joined(std::uint32_t a, std::uint32_t b) const { return islands_.are_joined(a, b); }
     // Pairs for which there was no room.
     const std::vector<NearPair>& crowded() const { return islands_.crowded(); }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where a preserve is kept while it is computed.
+// The file of a preserve, as its engine sees it.
 
 #include "core/result.h"
 #include "preserve/chronicle.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a user sees of a preserve at one moment. Immutable; shared between threads.
+// A preserve at one moment, as a user sees it. It is immutable and shared between threads.
 
 #include "creature/phenotype.h"
 #include "evolution/settings/experiment_settings.h"

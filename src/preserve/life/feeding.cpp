@@ -86,7 +86,7 @@ double bite_distance(const PreserveSettings& laws) {
     return is_solid(laws) ? kSolidBite : 0.0;
 }
 
-// What bounced off may be as far away as it gets within a tick.
+// A body that bounced off may be as far away as it gets within a tick.
 double bite_reach(const Resident& resident, const PreserveSettings& laws) {
     const double recoil = laws.ramming > 0.0 ? resident.fastest() * kBrainTick : 0.0;
     return bite_distance(laws) + recoil;

@@ -17,7 +17,7 @@ double bite_distance(const PreserveSettings& laws);
 // Returns how near (m) its bounds must be to another's, each grown by this, for a bite.
 double bite_reach(const Resident& resident, const PreserveSettings& laws);
 
-// What bites depend on besides the two.
+// All that bites depend on besides the two.
 struct BiteRules {
     const PreserveSettings& laws;
     std::uint64_t tick;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where in a preserve there is room for a creature. Solid creatures leave none to each other, and
+// The search for room for a creature. Solid creatures leave none to each other, and
 // walls none to anybody.
 
 #include "evolution/settings/world_area.h"

@@ -54,7 +54,7 @@ CommonSenses::CommonSenses(const WorldArea& area, const Environment& environment
     if (environment.gravity > 0.0) up_ = Vec3(-pull.cosine, -pull.sine, 0.0);
 }
 
-// Where edges meet, the light is at its nearest image.
+// If edges meet, the light is at its nearest image.
 Light CommonSenses::light(const Vec3& point) const {
     if (!torus_.meets()) return light_.at(point);
     return light_.at(light_.place() - torus_.shortest(light_.place() - point));

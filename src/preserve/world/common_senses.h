@@ -1,6 +1,6 @@
 #pragma once
 
-// What all creatures of a preserve can sense of it: the light, sounds, scent, and the smell of
+// All that creatures of a preserve can sense of it alike: light, sounds, scent, and the smell of
 // food. It changes between two ticks only.
 
 #include "evolution/settings/world_area.h"

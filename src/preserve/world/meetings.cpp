@@ -18,7 +18,7 @@ std::int32_t meeting_cell(double coordinate) {
         std::clamp(std::floor(coordinate / kMeetingCell), -kMostCells, kMostCells));
 }
 
-// Of images that reach beyond an edge, those count in which one of the two has its lower end in the
+// If images reach beyond an edge, those count in which one of the two has its lower end in the
 // area. So each image of a pair counts once.
 bool counts(std::int32_t laps_of_a, std::int32_t laps_of_b) {
     return laps_of_a == 0 || laps_of_b == 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a creature contends with: a free cube, and an opponent on the other side of it
+// The other bodies of a contest: a free cube, and an opponent on the other side of it
 // (simulator/README.md 7).
 
 #include "core/result.h"
@@ -57,7 +57,7 @@ public:
     const PhysicsScene& cube() const { return *cube_; }
     // The opponent, also after it left; null if there is none.
     const PhysicsScene* opponent() const { return opponent_.get(); }
-    // How the opponent grew; null if there is none.
+    // The grown opponent; null if there is none.
     const std::shared_ptr<const Phenotype>& opponent_body() const { return phenotype_; }
 
     struct State {

@@ -6,7 +6,7 @@
 
 namespace cambrian {
 
-// What a creature has of the organs and senses that need something of its surroundings.
+// The organs and senses of a creature that need something of its surroundings.
 struct UsedSenses {
     bool scents = false;     // has an organ that gives off scent
     bool smells = false;     // has a sense of smell that something reads

@@ -1,4 +1,4 @@
-// What the window shows and how.
+// Actions that change what the window shows and how.
 
 #include "studio/actions/subjects.h"
 #include "studio/look/overlays.h"
@@ -77,7 +77,7 @@ void switch_theme(const FrameContext& frame, Requests& out) {
         view.theme = view.theme == ThemeKind::kLight ? ThemeKind::kDark : ThemeKind::kLight;
     });
 }
-// Where there is no room for both side panels, showing one hides the other.
+// If there is no room for both side panels, showing one hides the other.
 template <auto Side, auto Other>
 bool is_side_shown(const FrameContext& frame) {
     const PanelSizes& panels = frame.view.panels;

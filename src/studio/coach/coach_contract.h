@@ -1,6 +1,6 @@
 #pragma once
 
-// What accompanies a run that panels see, and the requests they may make of it.
+// The company of a run, as panels see it, and the requests that they may make of it.
 
 #include "studio/coach/founder_crowd.h"
 

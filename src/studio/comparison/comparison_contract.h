@@ -28,7 +28,7 @@ struct ComparisonView {
     ComparisonDraft draft;
     bool running = false;
     double share = 0.0;  // of the trials that the present comparison began with
-    // Of the last comparison; null before the first.
+    // Belongs to the last comparison; null before the first.
     std::shared_ptr<const ComparisonResults> results;
     std::string unit;     // of the compared scores
     std::string folder;   // of the last comparison

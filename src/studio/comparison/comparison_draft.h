@@ -1,6 +1,6 @@
 #pragma once
 
-// What a person chose to compare.
+// A person's choice of what to compare.
 
 #include "comparison/plan.h"
 #include "evolution/fields/setting_field.h"

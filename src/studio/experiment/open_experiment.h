@@ -33,7 +33,7 @@ public:
     // Continues a saved experiment; evolution is paused at first.
     void go_on(SavedExperiment saved, std::shared_ptr<ExperimentFile> file,
                const std::filesystem::path& path);
-    // Where the present run and the one before are kept.
+    // The present run and the one before are kept there.
     const RunFiles& files() const { return files_; }
     RunFiles& files() { return files_; }
     // The number of runs that the user began so far.

@@ -215,7 +215,7 @@ struct FilesController::Receiver {
         self.view_.newest_champion = true;
         feedback().log().write("experiment", {{"path", event.path.string()},
                                               {"generations", static_cast<double>(generations)}});
-        // What was lost is more important than that the rest is there.
+        // A loss is more important news than that the rest is there.
         const Notice* present = feedback().notice();
         if (reopened && present != nullptr && present->kind == NoticeKind::kProblem) return;
         feedback().tell(

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a name typed into a field for files means.
+// The meaning of a name typed into a field for files.
 
 #include "studio/files/file_browser.h"
 

@@ -11,7 +11,7 @@
 
 namespace cambrian {
 
-// What is shown besides the creatures, and the help that automatic evolution gives.
+// All that is shown besides the creatures, and the help that automatic evolution gives.
 struct PickingOptions {
     bool scores = false;
     bool hints = false;  // marks the fastest, the highest and the most unusual creature

@@ -10,7 +10,7 @@
 
 namespace cambrian {
 
-// What the user did so far, as far as the tour asks for it.
+// The user's deeds so far, as far as the tour asks for them.
 struct Deeds {
     bool evolving = false;
     std::size_t generations = 0;  // finished ones of the open experiment

@@ -31,7 +31,7 @@ public:
     std::optional<TilePicture> of(const TileWish& wish);
 
 private:
-    // What the picture of a wish depends on.
+    // All that the picture of a wish depends on.
     struct Key {
         std::uint64_t body = 0;
         std::uint64_t line = 0;

@@ -21,7 +21,7 @@ struct OverlayKind {
 
 std::span<const OverlayKind> overlay_kinds();
 
-// Of Scenery, in its order, in the stored state and on the command line.
+// Names of Scenery, in its order, in the stored state and on the command line.
 inline constexpr std::array kSceneryNames = {"automatic", "full", "light", "plain"};
 std::optional<Scenery> scenery_named(std::string_view name);
 

@@ -48,7 +48,7 @@ struct NotedPlace {
     int frame = 0;            // number of the frame in which it was drawn
 };
 
-// What is being typed into a slider.
+// The text that is being typed into a slider.
 struct TypedText {
     ImGuiID slider = 0;
     std::string text;
@@ -81,7 +81,7 @@ struct TileWish {
     int height = 1;
     const TileMoment* moment = nullptr;
 };
-// Where the picture is: a texture and the corners of its part of it, the upper left one first.
+// The picture's place: a texture and the corners of its part of it, the upper left one first.
 struct TilePicture {
     ImTextureID texture = nullptr;
     ImVec2 from;

@@ -31,7 +31,7 @@ inline constexpr std::array kInterfaceSizes = {80, 90, 100, 110, 125, 150, 175, 
 // Which champions of other generations are displayed beside the creature.
 enum class GhostChoice : unsigned char { kNone, kImprovements, kTenths, kAcross };
 
-// How much of the scenery is drawn. kAutomatic leaves the choice to the time that frames take; a
+// The amount of scenery that is drawn. kAutomatic leaves it to the time that frames take; a
 // light one has fewer small things, a plain one is the background alone.
 enum class Scenery : unsigned char { kAutomatic, kFull, kLight, kPlain };
 

@@ -38,7 +38,7 @@ struct Exhibit {
     const Individual& individual() const { return *creature.individual; }
     const ExperimentSettings& settings() const { return *creature.settings; }
     const GenomePtr& genome() const { return creature.individual->genome; }
-    // What it is called: the name of its genome, of its file, or else its coined_name().
+    // Its name is that of its genome, of its file, or else its coined_name().
     std::string name() const;
     // The result of its evaluation; null if it was never evaluated.
     const EvaluationResult* result() const {

@@ -66,7 +66,7 @@ std::vector<GenomePtr> genomes_of_choice(FounderChoice choice, const PreserveSub
 
 }  // namespace
 
-// What the user does with the lists about the world: its laws and its museum.
+// Requests of the lists about the world: its laws and its museum.
 struct PreserveController::WorldLists {
     PreserveController& self;
 
@@ -96,7 +96,7 @@ struct PreserveController::WorldLists {
     }
 };
 
-// What the user does to the world where the pointer or the view is.
+// Requests that concern the place where the pointer or the view is.
 struct PreserveController::WorldTools : WorldLists {
     using WorldLists::operator();
 

@@ -60,7 +60,7 @@ private:
     struct WorldLists;
     struct WorldTools;
     struct Handler;
-    // What the user does with the world's panels.
+    // Carries out requests of the world's panels.
     struct Tools {
         Vec2 aim = Vec2::Zero();  // m
         WallTool wall;

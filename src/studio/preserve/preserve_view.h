@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels see of a preserve.
+// A preserve as panels see it.
 
 #include "preserve/engine/preserve_picture.h"
 #include "preserve/pins.h"
@@ -18,7 +18,7 @@ inline constexpr std::array kPreservePaces = {0.1, 1.0, 4.0, 0.0};
 
 inline constexpr std::size_t kWorldPlotCount = 5;  // of the series
 
-// What the left panel lists.
+// The left panel lists these.
 enum class WorldList : std::uint8_t { kLineages, kLaws, kMuseum };
 inline constexpr std::array kWorldListNames = {"Lineages", "Laws", "Museum"};
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What panels say of a preserve.
+// Words of panels about a preserve.
 
 #include "preserve/engine/preserve_picture.h"
 

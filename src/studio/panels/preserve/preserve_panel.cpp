@@ -153,7 +153,7 @@ void draw_tabs(WorldList shown, Requests& out) {
 
 void PreservePanel::draw(const FrameContext& frame, Requests& out) {
     place_title("Preserve", "preserve", out);
-    // Where the list would have no room, it is scrolled along with the buttons.
+    // If the list would have no room, it is scrolled along with the buttons.
     const bool low = ImGui::GetContentRegionAvail().y < px(kRoomForList);
     if (low) ImGui::BeginChild("preserve", {0, 0}, false, ImGuiWindowFlags_NoBackground);
     draw_additions(frame, out);
