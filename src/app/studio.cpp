@@ -11,7 +11,7 @@
 #include "app/process/interruption.h"
 #include "app/subcommands/subcommands.h"
 #include "cluster/join_cluster.h"
-#include "studio/remembered.h"
+#include "studio/preferences.h"
 
 #include <CLI/CLI.hpp>
 

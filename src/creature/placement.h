@@ -1,7 +1,7 @@
 #pragma once
 
 // The geometry of attaching a part to another, in the plane or in space (creature/README.md 2, 4,
-// 10). Growth knows nothing else of it.
+// 10). Growth leaves all that depends on the number of dimensions to it and to mirror signs.
 
 #include "genome/genome.h"
 #include "math/types.h"

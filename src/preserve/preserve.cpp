@@ -54,7 +54,7 @@ Preserve::Preserve(SettingsPtr settings, const EvolutionKinds& kinds,
     : world_(std::move(settings), kinds),
       population_(world_, std::move(founders)),
       motion_(world_),
-      meetings_(world_.area.torus()) {}
+      broad_phase_(world_.area.torus()) {}
 
 Result<std::unique_ptr<Preserve>> Preserve::begin(SettingsPtr settings, const EvolutionKinds& kinds,
                                                   std::vector<GenomePtr> founders) {
@@ -174,8 +174,8 @@ void Preserve::bite() {
     for (const auto& each : residents())
         bounds_.push_back(grown(each->bounds(), bite_reach(*each, laws()->preserve)));
     const BiteRules rules{laws()->preserve, ticks(), world_.area.torus()};
-    Meetings::Pair before;
-    for (const Meetings::Pair& pair : meetings_.find(bounds_)) {
+    BroadPhase::Pair before;
+    for (const BroadPhase::Pair& pair : broad_phase_.find(bounds_)) {
         const bool is_other_image = pair.first == before.first && pair.second == before.second;
         before = pair;
         if (is_other_image) continue;

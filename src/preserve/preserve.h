@@ -9,7 +9,7 @@
 #include "preserve/preserve_world.h"
 #include "preserve/resident_motion.h"
 #include "preserve/state.h"
-#include "preserve/world/meetings.h"
+#include "preserve/world/broad_phase.h"
 
 #include <memory>
 #include <vector>
@@ -48,8 +48,8 @@ public:
     const SettingsPtr& laws() const { return world_.laws; }
     std::uint64_t ticks() const { return world_.tick; }
     const Residents& residents() const { return population_.living(); }
-    const Pellets& plants() const { return world_.energy.plants; }
-    const Pellets& flesh() const { return world_.energy.flesh; }
+    const Food& plants() const { return world_.energy.plants; }
+    const Food& flesh() const { return world_.energy.flesh; }
     const DrawnWalls& walls() const { return world_.walls; }
     const std::vector<LightPatch>& patches() const { return world_.patches; }
     Energy ambient() const { return world_.energy.light; }
@@ -79,7 +79,7 @@ private:
     PreserveWorld world_;
     Population population_;
     ResidentMotion motion_;
-    Meetings meetings_;
+    BroadPhase broad_phase_;
     std::vector<Bounds> bounds_;
     std::uint64_t snapshot_tick_ = 0;
 };

@@ -20,7 +20,7 @@ std::vector<Item> checked(Result<std::vector<Item>> items) {
 
 Ledger founding_ledger(const PreserveSettings& settings, const WorldArea& area) {
     const Energy all = energy_of(settings.energy_density * area.width * area.height);
-    return {all, all, Pellets(area.up_to(settings.plant_height)), Pellets(area.up_to(0.0))};
+    return {all, all, Food(area.up_to(settings.plant_height)), Food(area.up_to(0.0))};
 }
 
 // Returns where a plant grows: anywhere or, if there are patches of light, around one of them. On

@@ -25,7 +25,7 @@ void summarize(const Residents& residents, Number number, double& mean, double& 
 }  // namespace
 
 SeriesRow series_row(std::uint64_t tick, const Residents& residents, Energy ambient,
-                     const Pellets& plants, const Pellets& flesh, const Tally& tally) {
+                     const Food& plants, const Food& flesh, const Tally& tally) {
     SeriesRow row{tally};
     row.tick = tick;
     row.population = residents.size();

@@ -4,7 +4,7 @@
 
 #include "preserve/life/offspring.h"
 #include "preserve/world/energy.h"
-#include "preserve/world/pellets.h"
+#include "preserve/world/food.h"
 
 #include <cstdint>
 
@@ -35,6 +35,6 @@ struct SeriesRow : Tally {
 };
 
 SeriesRow series_row(std::uint64_t tick, const Residents& residents, Energy ambient,
-                     const Pellets& plants, const Pellets& flesh, const Tally& tally);
+                     const Food& plants, const Food& flesh, const Tally& tally);
 
 }  // namespace cambrian

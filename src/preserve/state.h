@@ -7,7 +7,7 @@
 #include "evolution/settings/wall_lines.h"
 #include "preserve/life/resident.h"
 #include "preserve/world/common_senses.h"
-#include "preserve/world/pellets.h"
+#include "preserve/world/food.h"
 
 #include <cstdint>
 #include <functional>

@@ -22,7 +22,7 @@ bool Memory::due(double now) const {
     return now - kept_at_ > kInterval;
 }
 
-void Memory::keep(const Remembered& present, const Services& services) {
+void Memory::keep(const Preferences& present, const Services& services) {
     kept_at_ = services.feedback.now();
     if (folder_.empty() || present == kept_) return;
     kept_ = present;

@@ -3,7 +3,7 @@
 // Stores the state that the studio keeps between two runs of the program in a folder.
 
 #include "studio/background/services.h"
-#include "studio/remembered.h"
+#include "studio/preferences.h"
 
 #include <filesystem>
 
@@ -12,7 +12,7 @@ namespace cambrian {
 class Memory {
 public:
     // `kept` is the state that was read when the program started.
-    explicit Memory(Remembered kept) : kept_(std::move(kept)) {}
+    explicit Memory(Preferences kept) : kept_(std::move(kept)) {}
 
     // Stores the state in this folder from now on; an empty path stores nothing.
     void use(const std::filesystem::path& folder) { folder_ = folder; }
@@ -23,11 +23,11 @@ public:
     // Returns whether it is time to look for changes again; `now` is in seconds.
     bool due(double now) const;
     // Writes the present state in the background if it changed.
-    void keep(const Remembered& present, const Services& services);
+    void keep(const Preferences& present, const Services& services);
 
 private:
     std::filesystem::path folder_;
-    Remembered kept_;
+    Preferences kept_;
     double kept_at_ = 0.0;  // s; time at which changes were looked for last
 };
 

@@ -52,7 +52,7 @@ struct Visit {
 };
 
 // Changes the state from that in one world to that in another one.
-void enter(VisitedWorld& from, const VisitedWorld& to, Remembered& state) {
+void enter(VisitedWorld& from, const VisitedWorld& to, Preferences& state) {
     from.settings = std::exchange(state.settings, to.settings);
     state.experiment.clear();
 }
@@ -75,7 +75,7 @@ struct StudioHost {
 class Studio {
 public:
     // All must outlive it.
-    Studio(const Visit& visit, const Remembered& remembered, const StudioKinds& kinds,
+    Studio(const Visit& visit, const Preferences& remembered, const StudioKinds& kinds,
            const StudioHost& host)
         : options_(visit.options),
           window_(host.window),
@@ -132,7 +132,7 @@ public:
         if (!options_.screenshot.empty()) take_picture(options_.screenshot);
         return {};
     }
-    Remembered remembered() const { return controller_.remembered(); }
+    Preferences remembered() const { return controller_.remembered(); }
 
 private:
     // Returns the size of the interface in pixels a unit.
@@ -292,7 +292,7 @@ Status run_studio(const StudioOptions& options, const EvolutionKinds& plane,
     std::map<int, VisitedWorld> worlds;
     worlds.emplace(2, VisitedWorld{{plane, space}, {}});
     worlds.emplace(3, VisitedWorld{{space, plane}, plain_defaults(space)});
-    Remembered state = recall(options.state_dir, worlds.at(last).kinds.here);
+    Preferences state = recall(options.state_dir, worlds.at(last).kinds.here);
     if (state.settings == ExperimentSettings{}) state.settings = worlds.at(last).settings;
     if (options.theme) state.view.theme = *options.theme;
     if (options.scenery) state.view.scenery = *options.scenery;

@@ -40,7 +40,7 @@ struct StudioController::Router {
     void operator()(const WindowRequest& request) const { self.window_.carry_out(request); }
 };
 
-StudioController::StudioController(const Remembered& remembered, const EvolutionKinds& kinds,
+StudioController::StudioController(const Preferences& remembered, const EvolutionKinds& kinds,
                                    const MachineOptions& machines,
                                    const std::filesystem::path& status_log,
                                    const EvolutionKinds* elsewhere)
@@ -80,7 +80,7 @@ void StudioController::reopen_last() {
     if (!last.empty()) files_.reopen(last);
 }
 
-Remembered StudioController::remembered() const {
+Preferences StudioController::remembered() const {
     const OpenExperiment& experiment = experiment_.open();
     return {view_,
             experiment.editor().settled(),

@@ -22,7 +22,7 @@ class StudioController {
 public:
     // `kinds` are those of the remembered settings, and `elsewhere` those of the world with other
     // dimensions, or null. Both must outlive it.
-    StudioController(const Remembered& remembered, const EvolutionKinds& kinds,
+    StudioController(const Preferences& remembered, const EvolutionKinds& kinds,
                      const MachineOptions& machines, const std::filesystem::path& status_log,
                      const EvolutionKinds* elsewhere = nullptr);
 
@@ -32,7 +32,7 @@ public:
     void reopen_last();
     void keep_memory();
     // Returns what is stored of the present state.
-    Remembered remembered() const;
+    Preferences remembered() const;
     // Sets the folder of the help pages and samples.
     void use_assets(const std::filesystem::path& folder);
     // Displays the founders of the run, so that the viewport is never empty.

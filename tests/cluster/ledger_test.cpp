@@ -3,11 +3,11 @@
 #include "cluster/coordinator/answers.h"
 #include "cluster/coordinator/batch.h"
 #include "cluster/coordinator/fading_ratio.h"
-#include "cluster/coordinator/seventh_decile.h"
+#include "cluster/coordinator/running_quantile.h"
 #include "cluster/coordinator/trust.h"
 #include "cluster/coordinator/unit_ledger.h"
 #include "cluster/coordinator/unit_sizing.h"
-#include "cluster/coordinator/worker_roll.h"
+#include "cluster/coordinator/worker_roster.h"
 #include "cluster/messages/hello_text.h"
 #include "cluster/messages/proof_set.h"
 #include "support/catch.h"
@@ -369,7 +369,7 @@ Hello hello_of(std::uint64_t id, int cores) {
 
 TEST_CASE("only workers that are heard and compute the same bits count", "[cluster]") {
     Trust trust(1);
-    WorkerRoll roll({"1.2", 5}, "here", 2);
+    WorkerRoster roll({"1.2", 5}, "here", 2);
     roll.hear(hello_of(1, 8), "lab", 100.0, trust);
     roll.hear(hello_of(2, 4), "lab", 103.0, trust);
     Hello newer = hello_of(3, 16);
@@ -418,7 +418,7 @@ TEST_CASE("only workers that are heard and compute the same bits count", "[clust
 
 TEST_CASE("an id belongs to the login that announced it first", "[cluster]") {
     const Trust trust(1);
-    WorkerRoll roll({"1.2", 5}, "here", 2);
+    WorkerRoster roll({"1.2", 5}, "here", 2);
     CHECK_FALSE(roll.counts(1, "lab"));
     roll.hear(hello_of(1, 8), "lab", 100.0, trust);
     CHECK(roll.counts(1, "lab"));
@@ -506,7 +506,7 @@ TEST_CASE("the proof set notices a light, a muscle or a sense that differs", "[c
 }
 
 TEST_CASE("the seventh decile follows most samples, not a few slow ones", "[cluster]") {
-    SeventhDecile ratio(1.0, 100.0);
+    RunningQuantile ratio(1.0, 100.0);
     for (int unit = 0; unit < 1'000; ++unit)
         ratio.learn(0.5);
     CHECK(ratio.value() == 1.0);

@@ -2,7 +2,7 @@
 // read again without change.
 
 #include "fuzz/fuzz_target.h"
-#include "studio/remembered.h"
+#include "studio/preferences.h"
 
 using namespace cambrian;
 using namespace cambrian::test;

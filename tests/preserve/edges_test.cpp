@@ -146,8 +146,8 @@ TEST_CASE("smells, sounds and light come across edges", "[preserve][edges]") {
     const WorldArea area{12.2, 9.9, false, true};
     const Vec3 corner(0.5 * 12.2 - 0.5 * 12.2 / 24.0, 0.5 * 9.9 - 0.5 * 9.9 / 20.0, 0.0);
     CommonSenses senses(area, environment);
-    Pellets plants(area);
-    const Pellets flesh(area);
+    Food plants(area);
+    const Food flesh(area);
     plants.add(corner, 1'000'000'000);
     for (std::uint64_t tick = 6; tick <= 120; tick += 6) {
         senses.begin_tick();

@@ -48,7 +48,7 @@ struct Meeting {
 
     ExperimentSettings settings = small_world();
     CommonSenses senses;
-    Pellets flesh;
+    Food flesh;
     std::unique_ptr<Resident> biter, victim;
 };
 

@@ -163,8 +163,8 @@ TEST_CASE("the sample hunter among grazers lives by bites", "[preserve]") {
 TEST_CASE("ears hear other creatures, and noses smell food and flesh", "[preserve]") {
     const Environment water = small_world().world.environment;
     CommonSenses common({20.0, 20.0}, water);
-    Pellets plants({20.0, 20.0});
-    Pellets flesh({20.0, 20.0});
+    Food plants({20.0, 20.0});
+    Food flesh({20.0, 20.0});
     plants.add(Vec3(3.0, 3.0, 0.0), energy_of(10.0));
     flesh.add(Vec3(-3.0, -3.0, 0.0), energy_of(10.0));
     Emissions call;

@@ -58,7 +58,7 @@ public:
     // Returns the pairs of bodies, or images of them, that overlap and were neither joined there
     // nor crowded.
     int missed() const {
-        const std::vector<Extent> extents = all_extents();
+        const std::vector<SweptBounds> extents = all_extents();
         int missed = 0;
         for (std::uint32_t a = 0; a < scenes_.size(); ++a) {
             for (std::uint32_t b = a + 1; b < scenes_.size(); ++b) {
@@ -66,7 +66,7 @@ public:
                 const bool joined = solid_.were_joined(a, b);
                 for (const Periods& image : images_beside(a, b)) {
                     if (joined && image == Periods{}) continue;
-                    Extent there = extents[b];
+                    SweptBounds there = extents[b];
                     move(there, torus_.shift_of(image));
                     missed += meet(extents[a], there) ? 1 : 0;
                 }
@@ -88,7 +88,7 @@ public:
     }
     // Returns how far the two bodies that overlap most overlap (m).
     double deepest_overlap() const {
-        const std::vector<Extent> extents = all_extents();
+        const std::vector<SweptBounds> extents = all_extents();
         double depth = 0.0;
         for (std::size_t a = 0; a < extents.size(); ++a) {
             for (std::size_t b = a + 1; b < extents.size(); ++b)
@@ -114,8 +114,8 @@ public:
     std::size_t size() const { return scenes_.size(); }
 
 private:
-    std::vector<Extent> all_extents() const {
-        std::vector<Extent> extents(scenes_.size());
+    std::vector<SweptBounds> all_extents() const {
+        std::vector<SweptBounds> extents(scenes_.size());
         for (std::size_t i = 0; i < scenes_.size(); ++i)
             find_parts(*scenes_[i], extents[i]);
         return extents;
@@ -134,7 +134,7 @@ private:
         }
         return images;
     }
-    static bool meet(const Extent& a, const Extent& b) {
+    static bool meet(const SweptBounds& a, const SweptBounds& b) {
         for (const Rectangle& first : a.parts) {
             for (const Rectangle& second : b.parts) {
                 if (overlap(first, second)) return true;

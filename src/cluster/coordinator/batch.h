@@ -5,7 +5,7 @@
 
 #include "cluster/coordinator/answers.h"
 #include "cluster/coordinator/fading_ratio.h"
-#include "cluster/coordinator/seventh_decile.h"
+#include "cluster/coordinator/running_quantile.h"
 #include "cluster/coordinator/trust.h"
 #include "cluster/coordinator/unit_ledger.h"
 #include "cluster/coordinator/unit_sizing.h"
@@ -31,8 +31,8 @@ public:
         Trust trust;
         // The turnaround of units as a multiple of what their work explains, and beyond it in s:
         // workers may be slow or busy with the units of other runs.
-        SeventhDecile patience{1.0, 100.0};
-        SeventhDecile latency{1e-3, 10.0};
+        RunningQuantile patience{1.0, 100.0};
+        RunningQuantile latency{1e-3, 10.0};
         // The time of this machine's cores, which runs at once share, over their processor time.
         FadingRatio own_pace{50.0};
         double last_best = kNoScore;  // fitness in the last batch

@@ -2,7 +2,7 @@
 
 #include "cluster/coordinator/batch.h"
 #include "cluster/coordinator/crash_search.h"
-#include "cluster/coordinator/worker_roll.h"
+#include "cluster/coordinator/worker_roster.h"
 #include "cluster/messages/hello_text.h"
 #include "cluster/messages/judging_settings.h"
 #include "cluster/messages/proof_set.h"
@@ -115,7 +115,7 @@ private:
     std::optional<std::uint64_t> stored_settings_;  // key of what the server has
     std::uint32_t calls_ = 0;
     Batch::Memory memory_;
-    WorkerRoll roll_;
+    WorkerRoster roster_;
     ClusterLink link_ = ClusterLink::kConnecting;
     std::string complaint_;
     std::string failure_;
@@ -134,7 +134,7 @@ ClusterBackend::ClusterBackend(const EvolutionKinds& kinds, std::unique_ptr<Coor
       pool_(options_.threads.workers, options_.threads.priority),
       writer_(kinds),
       memory_{.trust = Trust(options_.secret)},
-      roll_({std::string(kSimulatorVersion), proof_}, options_.name, options_.threads.workers) {
+      roster_({std::string(kSimulatorVersion), proof_}, options_.name, options_.threads.workers) {
     queue_->begin_run(options_.run);
     dispatcher_ = std::jthread([this](const std::stop_token& stop) { dispatch(stop); });
 }
@@ -226,7 +226,7 @@ void ClusterBackend::serve_core(Call& call, const std::stop_token& stop) {
     while (!stop.stop_requested() && failure_.empty() && !call.batch->complete()) {
         const double moment = now();
         if (const auto task = call.batch->next_home_task(moment, cores())) {
-            if (task->silent_since) roll_.doubt_silent(*task->silent_since);
+            if (task->silent_since) roster_.doubt_silent(*task->silent_since);
             lock.unlock();
             perform(call, *task);
             lock.lock();
@@ -257,7 +257,7 @@ void ClusterBackend::compute_here(Call& call, std::size_t creature) {
     const double moment = now();
     const Batch::Took took{.processor = timer.lap(), .wall = moment - begun};
     const std::lock_guard lock(mutex_);
-    roll_.worked_at_home(1, result.work, moment);
+    roster_.worked_at_home(1, result.work, moment);
     call.batch->finish_at_home(creature, std::move(result), took);
     after_change(call);
 }
@@ -269,7 +269,7 @@ void ClusterBackend::compute_apart(Call& call, const std::vector<std::size_t>& c
         const std::lock_guard lock(mutex_);
         ++memory_.counts.poisoned;
         for (SlotResult& each : apart.results) {
-            roll_.worked_at_home(1, each.result.work, now());
+            roster_.worked_at_home(1, each.result.work, now());
             call.batch->finish_at_home(each.slot, std::move(each.result), {});
         }
         if (!apart.trouble.empty()) complaint_ = apart.trouble;
@@ -292,7 +292,7 @@ void ClusterBackend::judge_disagreements() {
     if (memory_.other_bits.size() < kDisagreements) return;
     std::set<std::string> logins;
     for (const std::uint64_t worker : memory_.other_bits)
-        logins.insert(roll_.login_of(worker));
+        logins.insert(roster_.login_of(worker));
     if (logins.size() >= kDisagreements) {
         fail(
             "results of two workers differed from this machine's, although all passed the proof "
@@ -314,7 +314,7 @@ void ClusterBackend::fail(std::string why) {
 
 Cores ClusterBackend::cores() const {
     const bool usable = link_ == ClusterLink::kConnected;
-    return {options_.threads.workers, usable ? roll_.cores(now(), memory_.trust) : 0};
+    return {options_.threads.workers, usable ? roster_.cores(now(), memory_.trust) : 0};
 }
 
 // Only the dispatcher's thread may wait for the server; the other threads evaluate.
@@ -421,7 +421,7 @@ void ClusterBackend::take(CoordinatorNews news) {
             continue;
         }
         const std::lock_guard lock(mutex_);
-        roll_.hear(*hello, heard.login, now(), memory_.trust);
+        roster_.hear(*hello, heard.login, now(), memory_.trust);
     }
     for (const UnitMessage& message : news.results)
         take_result(message);
@@ -453,7 +453,7 @@ void ClusterBackend::take_result(const UnitMessage& message) {
     if (!result) return note_malformed();
     const std::lock_guard lock(mutex_);
     if (!is_of_call(message.id)) return;
-    if (!roll_.counts(result->worker, message.login)) {
+    if (!roster_.counts(result->worker, message.login)) {
         ++memory_.counts.unknown;
         return;
     }
@@ -462,7 +462,7 @@ void ClusterBackend::take_result(const UnitMessage& message) {
         ++memory_.counts.malformed;
         return;
     }
-    roll_.worked(result->worker, taken->creatures, taken->work, now());
+    roster_.worked(result->worker, taken->creatures, taken->work, now());
     after_change(*call_);
 }
 
@@ -475,8 +475,8 @@ BackendStatus ClusterBackend::status() const {
     status.trouble = complaint_;
     status.failure = failure_;
     status.workers =
-        roll_.rows(now(), memory_.trust,
-                   {.own_busy = call_ != nullptr, .reachable = link_ == ClusterLink::kConnected});
+        roster_.rows(now(), memory_.trust,
+                     {.own_busy = call_ != nullptr, .reachable = link_ == ClusterLink::kConnected});
     status.counts = memory_.counts;
     status.useful_cores = useful_cores_;
     return status;

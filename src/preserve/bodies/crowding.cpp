@@ -30,7 +30,7 @@ Overlap overlap_of(const Rectangle& a, const Rectangle& b) {
     return least;
 }
 
-Overlap deepest_overlap(const Extent& a, const Extent& b) {
+Overlap deepest_overlap(const SweptBounds& a, const SweptBounds& b) {
     Overlap deepest;
     for (std::size_t i = 0; i < a.parts.size(); ++i) {
         for (std::size_t j = 0; j < b.parts.size(); ++j) {

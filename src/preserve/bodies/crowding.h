@@ -2,7 +2,7 @@
 
 // The damped spring that keeps two bodies apart that could not be joined (preserve/README.md 9).
 
-#include "preserve/bodies/extent.h"
+#include "preserve/bodies/swept_bounds.h"
 #include "world/physics_scene.h"
 
 namespace cambrian {
@@ -10,7 +10,7 @@ namespace cambrian {
 // A body that is pressed, and how many more forces it can take in this tick.
 struct PressedBody {
     PhysicsScene& scene;
-    const Extent& extent;
+    const SweptBounds& extent;
     int& room;
     Vec3 shift = Vec3::Zero();  // m, from the scene to where the extent is
 };

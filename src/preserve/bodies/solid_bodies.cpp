@@ -66,7 +66,7 @@ void SolidBodies::look_around(const Tick& tick) {
             grown(body.bounds, (body.fastest + kSurelySpeed) * tick.duration + kTouchDistance);
     }
     neighbours_.clear();
-    for (const auto& [first, second, image] : meetings_.find(reach_)) {
+    for (const auto& [first, second, image] : broad_phase_.find(reach_)) {
         neighbours_.push_back({0.0, first, second, image});
         is_awake_[first] = true;
         is_awake_[second] = true;
@@ -90,10 +90,10 @@ void SolidBodies::begin(const Tick& tick, std::uint32_t body, std::size_t worker
 
 std::vector<NearPair> SolidBodies::expected_pairs() const {
     std::vector<NearPair> pairs;
-    Extent image;
+    SweptBounds image;
     for (const NearPair& pair : neighbours_) {
-        const Extent& a = before_[pair.first];
-        const Extent& b = seen(before_[pair.second], torus_.shift_of(pair.image), image);
+        const SweptBounds& a = before_[pair.first];
+        const SweptBounds& b = seen(before_[pair.second], torus_.shift_of(pair.image), image);
         const double reach = a.growth + b.growth;
         const double gap = gap_between(a, b, reach);
         if (gap <= reach) pairs.push_back({gap, pair.first, pair.second, pair.image});
@@ -124,7 +124,7 @@ void SolidBodies::press_crowded(const Tick& tick) {
     std::vector<int> room;
     for (const SolidBody& body : tick.bodies)
         room.push_back(kMostPulls - body.pulls);
-    Extent image;
+    SweptBounds image;
     for (const NearPair& pair : islands_.crowded()) {
         const auto pressed = [&](std::uint32_t i, const Vec3& shift) {
             return PressedBody{*tick.bodies[i].scene, seen(before_[i], shift, image), room[i],
@@ -277,18 +277,18 @@ bool SolidBodies::is_settled(const Tick& tick, const NearPair& pair) const {
 // Returns the pairs that could have met after all, because one of them got farther than expected.
 std::vector<NearPair> SolidBodies::missed_pairs(const Tick& tick) {
     const std::vector<bool> left = find_leavers(tick);
-    const auto extent = [&](std::uint32_t i) -> const Extent& {
+    const auto extent = [&](std::uint32_t i) -> const SweptBounds& {
         return left[i] ? after_[i] : before_[i];
     };
     const auto room = [&](std::uint32_t i) {
         return left[i] ? 0.5 * kTouchDistance : before_[i].growth;
     };
     std::vector<NearPair> missed;
-    Extent image;
+    SweptBounds image;
     for (const NearPair& pair : neighbours_) {
         if (!left[pair.first] && !left[pair.second]) continue;
         if (is_settled(tick, pair)) continue;
-        const Extent& second = seen(extent(pair.second), shift_of(pair), image);
+        const SweptBounds& second = seen(extent(pair.second), shift_of(pair), image);
         const double gap = gap_between_boxes(extent(pair.first), second);
         if (gap <= room(pair.first) + room(pair.second))
             missed.push_back({gap, pair.first, pair.second, pair.image});

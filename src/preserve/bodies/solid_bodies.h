@@ -4,9 +4,9 @@
 // (preserve/README.md 9).
 
 #include "core/threads/thread_pool.h"
-#include "preserve/bodies/extent.h"
 #include "preserve/bodies/islands.h"
-#include "preserve/world/meetings.h"
+#include "preserve/bodies/swept_bounds.h"
+#include "preserve/world/broad_phase.h"
 #include "world/joined_scenes.h"
 #include "world/scene_kind.h"
 
@@ -53,7 +53,7 @@ public:
 
     // Scenes must be of this kind. The kind must outlive it.
     explicit SolidBodies(const SceneKind& kind, const Torus& torus = {})
-        : kind_(&kind), torus_(torus), meetings_(torus) {}
+        : kind_(&kind), torus_(torus), broad_phase_(torus) {}
 
     // Advances all bodies, in ascending order of numbers; their scenes have no workspace. A body
     // whose motion fails does not move, and the others move as if it were not there. Those that are
@@ -108,11 +108,11 @@ private:
 
     const SceneKind* kind_;
     Torus torus_;
-    Meetings meetings_;
+    BroadPhase broad_phase_;
     std::vector<Bounds> reach_;         // within which every body surely stays
     std::vector<NearPair> neighbours_;  // pairs that could meet at all
     std::vector<bool> is_awake_;        // has a neighbour
-    std::vector<Extent> before_, after_;
+    std::vector<SweptBounds> before_, after_;
     Islands islands_;
     std::vector<Periods> images_;  // to which each body was moved in this tick
     Memory memory_, next_memory_;

@@ -9,7 +9,7 @@
 #include "preserve/life/life.h"
 #include "preserve/museum.h"
 #include "preserve/series.h"
-#include "preserve/world/pellets.h"
+#include "preserve/world/food.h"
 #include "preserve/world/rectangle.h"
 
 #include <cstdint>

@@ -11,7 +11,7 @@ constexpr double kCrumbDistance = 0.25;  // m, within which crumbs become one pi
 constexpr Energy kBittenOff = 5;         // one part in so many of a bite falls down as flesh
 
 // Returns the energy gained of the pellets within reach; `rest` is raised by the remainder.
-Energy eat_of(Pellets& pellets, const Rectangle& mouth, double share, Energy& rest) {
+Energy eat_of(Food& pellets, const Rectangle& mouth, double share, Energy& rest) {
     Energy gained = 0;
     for (const Pellet& pellet : pellets.take(mouth, kReach)) {
         const Energy digested = share_of(pellet.energy, share);
@@ -69,7 +69,7 @@ void take_energy(Resident& victim, Energy energy) {
 
 }  // namespace
 
-Energy eat(Resident& resident, Pellets& plants, Pellets& flesh) {
+Energy eat(Resident& resident, Food& plants, Food& flesh) {
     Energy rest = 0;
     for (const Mouth& mouth : resident.mouths()) {
         const Rectangle& place = resident.rectangles()[mouth.part];
@@ -92,7 +92,7 @@ double bite_reach(const Resident& resident, const PreserveSettings& laws) {
     return bite_distance(laws) + recoil;
 }
 
-void bite(Resident& biter, Resident& victim, const BiteRules& rules, Pellets& flesh) {
+void bite(Resident& biter, Resident& victim, const BiteRules& rules, Food& flesh) {
     const PreserveSettings& laws = rules.laws;
     if (biter.store <= 0) return;
     if (is_young_child_of(biter, victim, laws, rules.tick) ||
@@ -135,7 +135,7 @@ Energy spend(Resident& resident, const PreserveSettings& laws, std::uint64_t tic
     return spent;
 }
 
-void decay_to_flesh(Resident& resident, Pellets& flesh) {
+void decay_to_flesh(Resident& resident, Food& flesh) {
     const Energy all = resident.store + resident.body;
     Energy left = all;
     const auto& parts = resident.phenotype().parts;

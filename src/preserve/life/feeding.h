@@ -5,12 +5,12 @@
 
 #include "math/torus.h"
 #include "preserve/life/resident.h"
-#include "preserve/world/pellets.h"
+#include "preserve/world/food.h"
 
 namespace cambrian {
 
 // Eats what its mouths reach. Returns the energy that was not digested.
-Energy eat(Resident& resident, Pellets& plants, Pellets& flesh);
+Energy eat(Resident& resident, Food& plants, Food& flesh);
 
 // Returns how near (m) a mouth must be to a part to bite it: solid bodies hardly overlap.
 double bite_distance(const PreserveSettings& laws);
@@ -26,12 +26,12 @@ struct BiteRules {
 
 // Lets one bite the other for a tick, where a mouth is that near to a part or rammed it. Parents
 // and young children do not bite each other.
-void bite(Resident& biter, Resident& victim, const BiteRules& rules, Pellets& flesh);
+void bite(Resident& biter, Resident& victim, const BiteRules& rules, Food& flesh);
 
 // Spends the energy of the last tick's work and of upkeep, at most all it has in store. Returns it.
 Energy spend(Resident& resident, const PreserveSettings& laws, std::uint64_t tick);
 
 // Turns all energy of a body into flesh where its parts are.
-void decay_to_flesh(Resident& resident, Pellets& flesh);
+void decay_to_flesh(Resident& resident, Food& flesh);
 
 }  // namespace cambrian

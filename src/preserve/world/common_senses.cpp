@@ -71,7 +71,7 @@ Vec3 CommonSenses::in_fields(const Vec3& point) const {
     return torus_.shortest(point).cwiseProduct(stretch_);
 }
 
-void CommonSenses::give_off(const Pellets& pellets, ScentField& field) const {
+void CommonSenses::give_off(const Food& pellets, ScentField& field) const {
     constexpr double amount = kFoodSmell * kTicksPerScentStep * kBrainTick;  // for each J
     for (const Pellet& pellet : pellets.all())
         field.add(in_fields(pellet.place()), amount * joules(pellet.energy));
@@ -90,7 +90,7 @@ void CommonSenses::take(const Emissions& emissions, std::uint64_t creature) {
         scent_.add(in_fields(scent.place), scent.amount);
 }
 
-void CommonSenses::end_tick(std::uint64_t tick, const Pellets& plants, const Pellets& flesh) {
+void CommonSenses::end_tick(std::uint64_t tick, const Food& plants, const Food& flesh) {
     sounds_.finish();
     if (tick % kTicksPerScentStep != 0) return;
     give_off(plants, plants_);

@@ -4,7 +4,7 @@
 // food. It changes between two ticks only.
 
 #include "evolution/settings/world_area.h"
-#include "preserve/world/pellets.h"
+#include "preserve/world/food.h"
 #include "simulator/surroundings/light_source.h"
 #include "simulator/surroundings/loudness_sum.h"
 #include "simulator/surroundings/scent_field.h"
@@ -33,7 +33,7 @@ public:
     void begin_tick();
     void take(const Emissions& emissions, std::uint64_t creature);
     // Lets scents spread every 6 ticks.
-    void end_tick(std::uint64_t tick, const Pellets& plants, const Pellets& flesh);
+    void end_tick(std::uint64_t tick, const Food& plants, const Food& flesh);
 
     // The scents. Sounds last one tick and are not kept.
     struct Moment {
@@ -49,7 +49,7 @@ private:
         return environment_.scentless ? 0.0 : field.at(in_fields(point));
     }
     Vec3 in_fields(const Vec3& point) const;
-    void give_off(const Pellets& pellets, ScentField& field) const;
+    void give_off(const Food& pellets, ScentField& field) const;
 
     Environment environment_;
     Torus torus_;

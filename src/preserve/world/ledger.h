@@ -3,14 +3,14 @@
 // The energy of a preserve that no creature has (preserve/README.md 3).
 
 #include "core/assert.h"
-#include "preserve/world/pellets.h"
+#include "preserve/world/food.h"
 
 namespace cambrian {
 
 struct Ledger {
     Energy constant = 0;  // of the world, its creatures included
     Energy light = 0;     // ambient energy
-    Pellets plants, flesh;
+    Food plants, flesh;
 
     // Returns the sum of light, plants and flesh.
     Energy total() const { return light + plants.energy() + flesh.energy(); }

@@ -61,11 +61,11 @@ TEST_CASE("settings are remembered in the world they are of", "[studio][space]")
     const TemporaryDirectory folder;
     CHECK(remembered_dimensions(folder.path()) == 2);
     CHECK(remembered_dimensions({}) == 2);
-    Remembered left;
+    Preferences left;
     left.settings = plain_defaults(spatial_kinds());
     REQUIRE(remember(folder.path(), left, spatial_kinds()));
     CHECK(remembered_dimensions(folder.path()) == 3);
-    const Remembered found = recall(folder.path(), spatial_kinds());
+    const Preferences found = recall(folder.path(), spatial_kinds());
     CHECK(found.fault.empty());
     CHECK(found.settings.world.environment.dimensions == 3);
 }

@@ -2,7 +2,7 @@
 #include "panel_press.h"
 #include "studio/files/recent_runs.h"
 #include "studio/panels/cards/start_panel.h"
-#include "studio/remembered.h"
+#include "studio/preferences.h"
 #include "studio_run.h"
 #include "support/null_imgui.h"
 #include "support/temporary_directory.h"
@@ -23,7 +23,7 @@ TEST_CASE("the run used last is first, and only so many are kept", "[studio][sta
     CHECK(std::count(paths.begin(), paths.end(), "/runs/9.cambrian") == 1);
 
     const TemporaryDirectory folder;
-    Remembered kept;
+    Preferences kept;
     kept.recent = paths;
     REQUIRE(remember(folder.path(), kept, test::kinds()));
     CHECK(recall(folder.path(), test::kinds()).recent == paths);

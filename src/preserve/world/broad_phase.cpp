@@ -1,4 +1,4 @@
-#include "preserve/world/meetings.h"
+#include "preserve/world/broad_phase.h"
 
 #include "preserve/world/rectangle.h"
 
@@ -26,7 +26,7 @@ bool counts(std::int32_t laps_of_a, std::int32_t laps_of_b) {
 
 }  // namespace
 
-void Meetings::add_copies(const Bounds& bounds, std::uint32_t index) {
+void BroadPhase::add_copies(const Bounds& bounds, std::uint32_t index) {
     if (!torus_.meets()) {
         copies_.push_back({bounds, {}, {}, index});
         return;
@@ -46,7 +46,7 @@ void Meetings::add_copies(const Bounds& bounds, std::uint32_t index) {
     } while (torus_.height > 0.0 && there.high.y() - laps.y * torus_.height >= edge.y());
 }
 
-void Meetings::enter(std::uint32_t copy) {
+void BroadPhase::enter(std::uint32_t copy) {
     const Bounds& bounds = copies_[copy].bounds;
     for (std::int32_t r = meeting_cell(bounds.low.y()); r <= meeting_cell(bounds.high.y()); ++r) {
         for (std::int32_t c = meeting_cell(bounds.low.x()); c <= meeting_cell(bounds.high.x()); ++c)
@@ -55,7 +55,7 @@ void Meetings::enter(std::uint32_t copy) {
 }
 
 // Takes a pair in the one cell that has the lower left corner of what the two have in common.
-void Meetings::add_pair(const Copy& a, const Copy& b, const Entry& cell) {
+void BroadPhase::add_pair(const Copy& a, const Copy& b, const Entry& cell) {
     if (!overlap(a.bounds, b.bounds) || a.index == b.index) return;
     if (!counts(a.laps.x, b.laps.x) || !counts(a.laps.y, b.laps.y)) return;
     if (meeting_cell(std::max(a.bounds.low.y(), b.bounds.low.y())) == cell.row &&
@@ -63,7 +63,7 @@ void Meetings::add_pair(const Copy& a, const Copy& b, const Entry& cell) {
         pairs_.push_back({a.index, b.index, a.image - b.image});
 }
 
-std::span<const Meetings::Pair> Meetings::find(std::span<const Bounds> bounds) {
+std::span<const BroadPhase::Pair> BroadPhase::find(std::span<const Bounds> bounds) {
     copies_.clear();
     entries_.clear();
     pairs_.clear();

@@ -1,4 +1,4 @@
-#include "studio/remembered.h"
+#include "studio/preferences.h"
 
 #include "core/files/file_io.h"
 #include "support/catch.h"
@@ -10,7 +10,7 @@ namespace {
 
 TEST_CASE("arrangement and settings are restored as they were", "[studio][remembered]") {
     const TemporaryDirectory folder;
-    Remembered left;
+    Preferences left;
     left.view.theme = ThemeKind::kLight;
     left.view.look = LookMode::kMechanics;
     left.view.scenery = Scenery::kLight;
@@ -28,7 +28,7 @@ TEST_CASE("arrangement and settings are restored as they were", "[studio][rememb
     left.settings.world.environment.gravity = 1.62;
     left.settings.seed = 99;
     REQUIRE(remember(folder.path() / "new", left, test::kinds()));
-    const Remembered found = recall(folder.path() / "new", test::kinds());
+    const Preferences found = recall(folder.path() / "new", test::kinds());
     CHECK(found.view == left.view);
     CHECK(found.settings.world.environment == left.settings.world.environment);
     CHECK(found.settings.seed == 99);
@@ -36,7 +36,7 @@ TEST_CASE("arrangement and settings are restored as they were", "[studio][rememb
 
 TEST_CASE("the cluster is restored, with spaces in paths", "[studio][remembered]") {
     const TemporaryDirectory folder;
-    Remembered left;
+    Preferences left;
     left.cluster.joined = true;
     left.cluster.login = {"tls://a,tls://b", "lab two", "/home/an a/my = creds", "ca.pem"};
     REQUIRE(remember(folder.path(), left, test::kinds()));
@@ -49,13 +49,13 @@ TEST_CASE("the cluster is restored, with spaces in paths", "[studio][remembered]
 
 TEST_CASE("missing or damaged state gives the defaults", "[studio][remembered]") {
     const TemporaryDirectory folder;
-    CHECK(recall(folder.path(), test::kinds()) == Remembered{});
-    CHECK(recall({}, test::kinds()) == Remembered{});
+    CHECK(recall(folder.path(), test::kinds()) == Preferences{});
+    CHECK(recall({}, test::kinds()) == Preferences{});
     put_text(folder / "view.conf",
              "theme\n= = =\nspeed = 1e300\nscenery = yes\ninterface-size = 9000\nfollow = "
              "?\n\xff\xfe\n");
     put_text(folder / "experiment.toml", "[environment]\ngravity = \"heavy\"\n");
-    const Remembered found = recall(folder.path(), test::kinds());
+    const Preferences found = recall(folder.path(), test::kinds());
     CHECK(found.view.speed == 1.0);
     CHECK(found.view.size == 100);
     CHECK(found.view.scenery == Scenery::kAutomatic);
@@ -68,7 +68,7 @@ TEST_CASE("settings that cannot be read keep their bytes under a name that a not
     const std::string bytes = "[environment]\ngravity = \"heavy\"\n";
     for (const char* aside : {"experiment-unreadable-1.toml", "experiment-unreadable-2.toml"}) {
         put_text(folder / "experiment.toml", bytes);
-        const Remembered found = recall(folder.path(), test::kinds());
+        const Preferences found = recall(folder.path(), test::kinds());
         CHECK_THAT(found.fault,
                    Catch::Contains((folder / aside).string()) && Catch::Contains("gravity"));
         REQUIRE(remember(folder.path(), found, test::kinds()));

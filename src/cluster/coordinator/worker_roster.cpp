@@ -1,4 +1,4 @@
-#include "cluster/coordinator/worker_roll.h"
+#include "cluster/coordinator/worker_roster.h"
 
 #include "cluster/coordinator/trust.h"
 #include "persist/text/digest_text.h"
@@ -19,10 +19,10 @@ constexpr std::size_t kMostOfLogin = 2'048;  // no login keeps the others' worke
 
 }  // namespace
 
-WorkerRoll::WorkerRoll(Build build, std::string own_name, std::size_t own_cores)
+WorkerRoster::WorkerRoster(Build build, std::string own_name, std::size_t own_cores)
     : build_(std::move(build)), own_name_(std::move(own_name)), own_cores_(own_cores) {}
 
-bool WorkerRoll::has_room_for(const std::string& login) const {
+bool WorkerRoster::has_room_for(const std::string& login) const {
     if (members_.size() >= kMostMembers) return false;
     const auto of_login = std::count_if(members_.begin(), members_.end(), [&](const auto& entry) {
         return entry.second.login == login;
@@ -30,8 +30,8 @@ bool WorkerRoll::has_room_for(const std::string& login) const {
     return static_cast<std::size_t>(of_login) < kMostOfLogin;
 }
 
-void WorkerRoll::hear(const Hello& hello, const std::string& login, double now,
-                      const Trust& trust) {
+void WorkerRoster::hear(const Hello& hello, const std::string& login, double now,
+                        const Trust& trust) {
     if (hello.role != Hello::Role::kWorker) return;
     forget_silent(now);
     const auto known = members_.find(hello.id);
@@ -48,25 +48,25 @@ void WorkerRoll::hear(const Hello& hello, const std::string& login, double now,
     member.doubted = false;
 }
 
-bool WorkerRoll::counts(std::uint64_t worker, const std::string& login) const {
+bool WorkerRoster::counts(std::uint64_t worker, const std::string& login) const {
     const auto found = members_.find(worker);
     return found != members_.end() && found->second.login == login &&
            found->second.hello.simulator == build_.simulator &&
            found->second.hello.proof == build_.proof;
 }
 
-std::string WorkerRoll::login_of(std::uint64_t worker) const {
+std::string WorkerRoster::login_of(std::uint64_t worker) const {
     const auto found = members_.find(worker);
     return found == members_.end() ? std::string() : found->second.login;
 }
 
-void WorkerRoll::forget_silent(double now) {
+void WorkerRoster::forget_silent(double now) {
     std::erase_if(members_,
                   [&](const auto& entry) { return now - entry.second.heard > kForgotten; });
 }
 
-void WorkerRoll::worked(std::uint64_t worker, std::uint64_t creatures, std::uint64_t work,
-                        double now) {
+void WorkerRoster::worked(std::uint64_t worker, std::uint64_t creatures, std::uint64_t work,
+                          double now) {
     const auto found = members_.find(worker);
     if (found == members_.end()) return;
     Member& member = found->second;
@@ -75,17 +75,17 @@ void WorkerRoll::worked(std::uint64_t worker, std::uint64_t creatures, std::uint
     member.doubted = false;
 }
 
-void WorkerRoll::doubt_silent(double since) {
+void WorkerRoster::doubt_silent(double since) {
     for (auto& [id, member] : members_) {
         if (member.heard < since) member.doubted = true;
     }
 }
 
-void WorkerRoll::worked_at_home(std::uint64_t creatures, std::uint64_t work, double now) {
+void WorkerRoster::worked_at_home(std::uint64_t creatures, std::uint64_t work, double now) {
     own_.add(now, creatures, work);
 }
 
-std::string WorkerRoll::refusal(const Member& member, const Trust& trust) const {
+std::string WorkerRoster::refusal(const Member& member, const Trust& trust) const {
     const Hello& hello = member.hello;
     if (trust.refused(hello.id)) return trust.refusal(hello.id);
     if (hello.simulator != build_.simulator)
@@ -94,7 +94,7 @@ std::string WorkerRoll::refusal(const Member& member, const Trust& trust) const 
     return {};
 }
 
-std::size_t WorkerRoll::cores(double now, const Trust& trust) const {
+std::size_t WorkerRoster::cores(double now, const Trust& trust) const {
     std::size_t sum = 0;
     for (const auto& [id, member] : members_) {
         if (now - member.heard <= kAway && !member.doubted && refusal(member, trust).empty())
@@ -103,7 +103,8 @@ std::size_t WorkerRoll::cores(double now, const Trust& trust) const {
     return sum;
 }
 
-std::vector<WorkerStatus> WorkerRoll::rows(double now, const Trust& trust, const View& view) const {
+std::vector<WorkerStatus> WorkerRoster::rows(double now, const Trust& trust,
+                                             const View& view) const {
     std::vector<WorkerStatus> rows;
     double whole = own_.work.sum(now);
     for (const auto& [id, member] : members_)

@@ -17,14 +17,14 @@ namespace cambrian {
 
 class Trust;
 
-class WorkerRoll {
+class WorkerRoster {
 public:
     // The coordinator's own build; a worker with another build gets no units.
     struct Build {
         std::string simulator;
         std::uint64_t proof = 0;
     };
-    WorkerRoll(Build build, std::string own_name, std::size_t own_cores);
+    WorkerRoster(Build build, std::string own_name, std::size_t own_cores);
 
     // `login` is that of the sender. A worker that leaves is no longer listed, unless it was
     // refused. An id belongs to the login that announced it first.

@@ -1,4 +1,4 @@
-#include "studio/remembered.h"
+#include "studio/preferences.h"
 
 #include "core/files/file_io.h"
 #include "core/text/parsed_number.h"
@@ -183,8 +183,8 @@ ClusterMemory parse_cluster(std::string_view text) {
     return cluster;
 }
 
-Remembered recall(const std::filesystem::path& folder, const EvolutionKinds& kinds) {
-    Remembered remembered;
+Preferences recall(const std::filesystem::path& folder, const EvolutionKinds& kinds) {
+    Preferences remembered;
     if (folder.empty()) return remembered;
     if (const auto view = read_file(folder / "view.conf", kMostBytes))
         remembered.view = parse_view(*view);
@@ -213,7 +213,7 @@ int remembered_dimensions(const std::filesystem::path& folder) {
     return folder.empty() ? 2 : dimensions_of_file(settings_in(folder));
 }
 
-Status remember(const std::filesystem::path& folder, const Remembered& remembered,
+Status remember(const std::filesystem::path& folder, const Preferences& remembered,
                 const EvolutionKinds& kinds) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);

@@ -1,4 +1,4 @@
-#include "preserve/bodies/extent.h"
+#include "preserve/bodies/swept_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ double gap_along_axes(const Rectangle& a, const Rectangle& b) {
 
 }  // namespace
 
-void find_parts(const BodyView& body, Extent& extent) {
+void find_parts(const BodyView& body, SweptBounds& extent) {
     extent.parts.resize(body.part_count());
     extent.boxes.resize(body.part_count());
     for (std::size_t i = 0; i < extent.parts.size(); ++i) {
@@ -29,14 +29,14 @@ void find_parts(const BodyView& body, Extent& extent) {
     }
 }
 
-void move(Extent& extent, const Vec3& shift) {
+void move(SweptBounds& extent, const Vec3& shift) {
     for (Rectangle& part : extent.parts)
         part = moved(part, shift);
     for (Bounds& box : extent.boxes)
         box = moved(box, shift);
 }
 
-const Extent& seen(const Extent& extent, const Vec3& shift, Extent& memory) {
+const SweptBounds& seen(const SweptBounds& extent, const Vec3& shift, SweptBounds& memory) {
     if (shift == Vec3::Zero()) return extent;
     memory = extent;
     move(memory, shift);
@@ -54,7 +54,7 @@ double gap_between(const Bounds& a, const Bounds& b) {
     return std::max(x, y);
 }
 
-double gap_between_boxes(const Extent& a, const Extent& b) {
+double gap_between_boxes(const SweptBounds& a, const SweptBounds& b) {
     double gap = std::numeric_limits<double>::infinity();
     for (const Bounds& first : a.boxes) {
         for (const Bounds& second : b.boxes)
@@ -63,7 +63,7 @@ double gap_between_boxes(const Extent& a, const Extent& b) {
     return gap;
 }
 
-double gap_between(const Extent& a, const Extent& b, double reach) {
+double gap_between(const SweptBounds& a, const SweptBounds& b, double reach) {
     double gap = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < a.parts.size(); ++i) {
         for (std::size_t j = 0; j < b.parts.size(); ++j) {
@@ -75,7 +75,7 @@ double gap_between(const Extent& a, const Extent& b, double reach) {
     return gap;
 }
 
-bool has_left(const Extent& before, const Extent& after) {
+bool has_left(const SweptBounds& before, const SweptBounds& after) {
     for (std::size_t i = 0; i < before.parts.size(); ++i) {
         const auto corners = corners_of(after.parts[i]);
         const auto from = corners_of(before.parts[i]);

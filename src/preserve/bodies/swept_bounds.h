@@ -9,19 +9,19 @@
 
 namespace cambrian {
 
-struct Extent {
+struct SweptBounds {
     std::vector<Rectangle> parts;
     std::vector<Bounds> boxes;  // around the parts
     double growth = 0.0;        // m; how far every point is expected to get within a tick
 };
 
 // Finds the parts and their boxes; the growth stays.
-void find_parts(const BodyView& body, Extent& extent);
+void find_parts(const BodyView& body, SweptBounds& extent);
 
 // Moves the parts and boxes.
-void move(Extent& extent, const Vec3& shift);
+void move(SweptBounds& extent, const Vec3& shift);
 // Returns the same elsewhere, in `memory` unless the shift (m) is zero.
-const Extent& seen(const Extent& extent, const Vec3& shift, Extent& memory);
+const SweptBounds& seen(const SweptBounds& extent, const Vec3& shift, SweptBounds& memory);
 
 Bounds grown(const Bounds& bounds, double growth);
 // Returns the distance of two boxes along the axis on which they are farthest apart; negative if
@@ -29,11 +29,11 @@ Bounds grown(const Bounds& bounds, double growth);
 double gap_between(const Bounds& a, const Bounds& b);
 
 // Returns the least distance of two parts' boxes.
-double gap_between_boxes(const Extent& a, const Extent& b);
+double gap_between_boxes(const SweptBounds& a, const SweptBounds& b);
 // Returns a lower bound of the least distance of two parts; negative if they overlap. It is the
 // true one or nearer to it than that of boxes where it is at most `reach`.
-double gap_between(const Extent& a, const Extent& b, double reach);
+double gap_between(const SweptBounds& a, const SweptBounds& b, double reach);
 // Returns whether any corner of a part is farther than the growth from where it was.
-bool has_left(const Extent& before, const Extent& after);
+bool has_left(const SweptBounds& before, const SweptBounds& after);
 
 }  // namespace cambrian

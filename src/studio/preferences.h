@@ -16,7 +16,7 @@
 
 namespace cambrian {
 
-struct Remembered {
+struct Preferences {
     ViewState view;
     ExperimentSettings settings;
     std::string experiment;  // file of the open experiment; empty for the folder's own
@@ -25,16 +25,16 @@ struct Remembered {
     std::string fault = {};
     std::vector<std::filesystem::path> recent = {};  // runs used lately, the last one first
 
-    friend bool operator==(const Remembered&, const Remembered&) = default;
+    friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
 // Reads the state from a folder; missing or damaged parts have their defaults. A settings file that
 // cannot be read gets another name, so that it is not overwritten.
-Remembered recall(const std::filesystem::path& folder, const EvolutionKinds& kinds);
+Preferences recall(const std::filesystem::path& folder, const EvolutionKinds& kinds);
 // Returns in how many dimensions the settings in a folder live; 2 where there are none.
 int remembered_dimensions(const std::filesystem::path& folder);
 // Writes the state to a folder, which it creates if necessary.
-Status remember(const std::filesystem::path& folder, const Remembered& remembered,
+Status remember(const std::filesystem::path& folder, const Preferences& remembered,
                 const EvolutionKinds& kinds);
 
 // Returns the path in a folder of the experiment that has no file of its own.

@@ -20,9 +20,9 @@ struct Pellet {
     Vec3 place() const { return {x, y, 0.0}; }
 };
 
-class Pellets {
+class Food {
 public:
-    explicit Pellets(const WorldArea& area);
+    explicit Food(const WorldArea& area);
 
     // Adds a pellet, unless it has no energy. Its place is moved between the walls or, where edges
     // meet, to its image in the area.

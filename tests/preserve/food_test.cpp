@@ -1,4 +1,4 @@
-#include "preserve/world/pellets.h"
+#include "preserve/world/food.h"
 
 #include "core/random.h"
 #include "support/catch.h"
@@ -18,7 +18,7 @@ Energy sum_of(std::span<const Pellet> pellets) {
 
 TEST_CASE("a mouth takes exactly the pellets within its reach", "[preserve]") {
     RandomStream random(stream_seed({2, static_cast<std::uint64_t>(Purpose::kTest)}));
-    Pellets pellets(kArea);
+    Food pellets(kArea);
     std::vector<Pellet> expected;
     for (int round = 0; round < 500; ++round) {
         for (int i = 0; i < 4; ++i) {
@@ -44,7 +44,7 @@ TEST_CASE("a mouth takes exactly the pellets within its reach", "[preserve]") {
 }
 
 TEST_CASE("pellets are taken until they make up an energy", "[preserve]") {
-    Pellets pellets(kArea);
+    Food pellets(kArea);
     for (int i = 0; i < 5; ++i)
         pellets.add({static_cast<double>(i) - 2.0, 0.0, 0.0}, 10);
     CHECK(pellets.take_at_least(0) == 0);
@@ -61,7 +61,7 @@ TEST_CASE("pellets are taken until they make up an energy", "[preserve]") {
 TEST_CASE("where edges meet, a mouth reaches pellets across them", "[preserve][edges]") {
     RandomStream random(stream_seed({4, static_cast<std::uint64_t>(Purpose::kTest)}));
     const WorldArea area{10.0, 8.0, false, true};
-    Pellets pellets(area);
+    Food pellets(area);
     for (int round = 0; round < 300; ++round) {
         for (int i = 0; i < 4; ++i)
             pellets.add({random.uniform(-30.0, 30.0), random.uniform(-30.0, 30.0), 0.0}, 7);
@@ -75,7 +75,7 @@ TEST_CASE("where edges meet, a mouth reaches pellets across them", "[preserve][e
         }
         CHECK(pellets.take(mouth, 0.1).size() == near);
     }
-    Pellets flesh(area);
+    Food flesh(area);
     flesh.add_near({4.95, 0.0, 0.0}, 5, 0.25);
     flesh.add_near({-4.9, 8.0, 0.0}, 6, 0.25);
     REQUIRE(flesh.all().size() == 1);
@@ -83,7 +83,7 @@ TEST_CASE("where edges meet, a mouth reaches pellets across them", "[preserve][e
 }
 
 TEST_CASE("flesh loses half of its energy in a half-life and vanishes in the end", "[preserve]") {
-    Pellets flesh(kArea);
+    Food flesh(kArea);
     flesh.add(Vec3::Zero(), 1'000'000'000);
     Energy rotten = 0;
     const double share = 1.0 - std::pow(0.5, 0.1 / 60.0);
@@ -98,7 +98,7 @@ TEST_CASE("flesh loses half of its energy in a half-life and vanishes in the end
 }
 
 TEST_CASE("crumbs that fall close together become one piece", "[preserve]") {
-    Pellets flesh(kArea);
+    Food flesh(kArea);
     flesh.add_near(Vec3(0.0, 0.0, 0.0), 10, 0.25);
     flesh.add_near(Vec3(0.2, 0.0, 0.0), 20, 0.25);
     flesh.add_near(Vec3(0.3, 0.0, 0.0), 30, 0.25);
@@ -110,7 +110,7 @@ TEST_CASE("crumbs that fall close together become one piece", "[preserve]") {
 }
 
 TEST_CASE("food beyond the walls is moved between them", "[preserve]") {
-    Pellets plants(kArea);
+    Food plants(kArea);
     plants.add(Vec3(7.0, -9.0, 0.0), 1);
     CHECK(plants.all()[0].place() == Vec3(5.0, -4.0, 0.0));
 }

@@ -13,7 +13,7 @@
 
 namespace cambrian {
 
-class Meetings {
+class BroadPhase {
 public:
     struct Pair {
         std::uint32_t first = 0, second = 0;  // indices, the lower one first
@@ -25,7 +25,7 @@ public:
         }
     };
 
-    explicit Meetings(const Torus& torus = {}) : torus_(torus) {}
+    explicit BroadPhase(const Torus& torus = {}) : torus_(torus) {}
 
     // Returns all pairs whose bounds, or images of them, have a point in common, in ascending
     // order; a pair is listed for each image. Nobody meets itself. The result is valid until the

@@ -1,4 +1,4 @@
-#include "preserve/world/meetings.h"
+#include "preserve/world/broad_phase.h"
 
 #include "core/random.h"
 #include "preserve/world/rectangle.h"
@@ -8,11 +8,12 @@ namespace cambrian {
 namespace {
 
 // Returns the pairs of all images up to some distance.
-std::vector<Meetings::Pair> all_pairs(const std::vector<Bounds>& bounds, const Torus& torus = {}) {
+std::vector<BroadPhase::Pair> all_pairs(const std::vector<Bounds>& bounds,
+                                        const Torus& torus = {}) {
     constexpr std::int32_t kMost = 10;
     const std::int32_t across = torus.width > 0.0 ? kMost : 0;
     const std::int32_t upwards = torus.height > 0.0 ? kMost : 0;
-    std::vector<Meetings::Pair> pairs;
+    std::vector<BroadPhase::Pair> pairs;
     for (std::uint32_t a = 0; a < bounds.size(); ++a) {
         for (std::uint32_t b = a + 1; b < bounds.size(); ++b) {
             for (std::int32_t x = -across; x <= across; ++x) {
@@ -28,7 +29,7 @@ std::vector<Meetings::Pair> all_pairs(const std::vector<Bounds>& bounds, const T
 
 TEST_CASE("the grid finds exactly the overlapping pairs", "[preserve]") {
     RandomStream random(stream_seed({1, static_cast<std::uint64_t>(Purpose::kTest)}));
-    Meetings meetings;
+    BroadPhase meetings;
     std::size_t found = 0;
     for (int round = 0; round < 200; ++round) {
         std::vector<Bounds> bounds;
@@ -40,7 +41,7 @@ TEST_CASE("the grid finds exactly the overlapping pairs", "[preserve]") {
             bounds.push_back({low, low + sides});
         }
         const auto pairs = meetings.find(bounds);
-        CHECK(std::vector<Meetings::Pair>(pairs.begin(), pairs.end()) == all_pairs(bounds));
+        CHECK(std::vector<BroadPhase::Pair>(pairs.begin(), pairs.end()) == all_pairs(bounds));
         found += pairs.size();
     }
     CHECK(found > 10'000);
@@ -50,7 +51,7 @@ TEST_CASE("where edges meet, the grid finds exactly the images that overlap", "[
     RandomStream random(stream_seed({3, static_cast<std::uint64_t>(Purpose::kTest)}));
     // Bodies may be longer than the smallest world.
     for (const Torus torus : {Torus{5.0, 5.0}, Torus{12.0, 0.0}, Torus{13.7, 8.1}}) {
-        Meetings meetings(torus);
+        BroadPhase meetings(torus);
         std::size_t found = 0;
         for (int round = 0; round < 20; ++round) {
             std::vector<Bounds> bounds;
@@ -60,7 +61,7 @@ TEST_CASE("where edges meet, the grid finds exactly the images that overlap", "[
                 bounds.push_back({low, low + sides});
             }
             const auto pairs = meetings.find(bounds);
-            CHECK(std::vector<Meetings::Pair>(pairs.begin(), pairs.end()) ==
+            CHECK(std::vector<BroadPhase::Pair>(pairs.begin(), pairs.end()) ==
                   all_pairs(bounds, torus));
             found += pairs.size();
         }

@@ -1,4 +1,4 @@
-#include "preserve/world/pellets.h"
+#include "preserve/world/food.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,26 +19,26 @@ int cell_at(double distance, int count) {
 
 }  // namespace
 
-Pellets::Pellets(const WorldArea& area)
+Food::Food(const WorldArea& area)
     : area_(area),
       columns_(cells_in(area.width)),
       rows_(cells_in(area.height)),
       cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
-int Pellets::column(double x) const {
+int Food::column(double x) const {
     return cell_at(x - area_.left(), columns_);
 }
 
-int Pellets::row(double y) const {
+int Food::row(double y) const {
     return cell_at(y - area_.bottom(), rows_);
 }
 
-std::vector<std::uint32_t>& Pellets::cell_of(const Pellet& pellet) {
+std::vector<std::uint32_t>& Food::cell_of(const Pellet& pellet) {
     const auto index = static_cast<std::size_t>(row(pellet.y)) * static_cast<std::size_t>(columns_);
     return cells_[index + static_cast<std::size_t>(column(pellet.x))];
 }
 
-void Pellets::add(const Vec3& place, Energy energy) {
+void Food::add(const Vec3& place, Energy energy) {
     if (energy <= 0) return;
     const Vec3 inside = area_.nearest(place);
     const Pellet pellet{inside.x(), inside.y(), energy};
@@ -50,7 +50,7 @@ void Pellets::add(const Vec3& place, Energy energy) {
 // Calls visit(index, place) for each pellet in the cells that the bounds touch, and for each image
 // of it.
 template <class Visit>
-void Pellets::visit(const Bounds& bounds, Visit visit) {
+void Food::visit(const Bounds& bounds, Visit visit) {
     area_.torus().visit_images(area_.bounds(), bounds, [&](const Vec3& shift) {
         const Bounds there = moved(bounds, -shift);
         for (int r = row(there.low.y()); r <= row(there.high.y()); ++r) {
@@ -64,7 +64,7 @@ void Pellets::visit(const Bounds& bounds, Visit visit) {
     });
 }
 
-void Pellets::add_near(const Vec3& place, Energy energy, double distance) {
+void Food::add_near(const Vec3& place, Energy energy, double distance) {
     const Vec3 inside = area_.nearest(place);
     const Vec3 margin(distance, distance, 0.0);
     auto nearest = static_cast<std::uint32_t>(pellets_.size());
@@ -79,7 +79,7 @@ void Pellets::add_near(const Vec3& place, Energy energy, double distance) {
     energy_ += energy;
 }
 
-void Pellets::remove(std::uint32_t index) {
+void Food::remove(std::uint32_t index) {
     const auto last = static_cast<std::uint32_t>(pellets_.size() - 1);
     energy_ -= pellets_[index].energy;
     std::erase(cell_of(pellets_[index]), index);
@@ -91,7 +91,7 @@ void Pellets::remove(std::uint32_t index) {
     pellets_.pop_back();
 }
 
-std::span<const Pellet> Pellets::take(const Rectangle& rectangle, double distance) {
+std::span<const Pellet> Food::take(const Rectangle& rectangle, double distance) {
     taken_.clear();
     if (pellets_.empty()) return taken_;
     found_.clear();
@@ -109,7 +109,7 @@ std::span<const Pellet> Pellets::take(const Rectangle& rectangle, double distanc
     return taken_;
 }
 
-Energy Pellets::rot(double share) {
+Energy Food::rot(double share) {
     const Energy before = energy_;
     for (std::size_t i = pellets_.size(); i-- > 0;) {
         Pellet& pellet = pellets_[i];
@@ -124,14 +124,14 @@ Energy Pellets::rot(double share) {
     return before - energy_;
 }
 
-Energy Pellets::take_at_least(Energy energy) {
+Energy Food::take_at_least(Energy energy) {
     const Energy before = energy_;
     while (before - energy_ < energy && !pellets_.empty())
         remove(static_cast<std::uint32_t>(pellets_.size() - 1));
     return before - energy_;
 }
 
-void Pellets::replace(std::span<const Pellet> pellets) {
+void Food::replace(std::span<const Pellet> pellets) {
     const std::vector<Pellet> kept(pellets.begin(), pellets.end());
     pellets_.clear();
     for (std::vector<std::uint32_t>& cell : cells_)

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is typical of times that a few slow workers stretch. No result depends on it.
+// The typical value of times that a few slow workers stretch. No result depends on it.
 
 #include <algorithm>
 
@@ -8,10 +8,10 @@ namespace cambrian {
 
 // Follows the value that seven of ten samples do not exceed. The others, those of slow workers
 // among them, do not raise it.
-class SeventhDecile {
+class RunningQuantile {
 public:
     // It starts at the least value, which must be positive.
-    SeventhDecile(double least, double most) : least_(least), most_(most), value_(least) {}
+    RunningQuantile(double least, double most) : least_(least), most_(most), value_(least) {}
 
     double value() const { return value_; }
 
