@@ -82,7 +82,7 @@ Status Population::found() {
                 "or more than {} J/m^2 of energy-density",
                 i, count, short_text(world_.settings->preserve.energy_density))};
         }
-        settle(*std::move(founder));
+        welcome(*std::move(founder));
     }
     feel_energy();
     return {};
@@ -130,7 +130,7 @@ Result<std::unique_ptr<Resident>> Population::newcomer(std::size_t place, std::s
 }
 
 // Adds a newcomer, which the light pays.
-void Population::settle(std::unique_ptr<Resident> resident) {
+void Population::welcome(std::unique_ptr<Resident> resident) {
     resident->store = store_of(*resident, world_.laws->preserve);
     resident->body = body_of(*resident, world_.laws->preserve);
     world_.energy.light -= resident->store + resident->body;
@@ -147,7 +147,7 @@ void Population::take_in(std::unique_ptr<Resident> resident) {
     resident->scene().set_fixed_boxes(world_.walls.boxes());
     if (world_.laws != world_.settings)
         resident->scene().set_environment(world_.laws->world.environment);
-    resident->settle();
+    resident->give_up_workspace();
     CAMBRIAN_TICK_ASSERT(
         residents_.empty() || residents_.back()->life.number < resident->life.number,
         "numbers ascend, so that parents come before children");
@@ -293,7 +293,7 @@ void Population::restock() {
         if (!arriving || !world_.energy.afford(price_of(**arriving))) return;
         world_.chronicle.interventions.push_back(
             {world_.tick, intervention::kRestock, next_number_});
-        settle(*std::move(arriving));
+        welcome(*std::move(arriving));
         ++restocked_;
         ++world_.tally.restocked;
     }
@@ -332,7 +332,7 @@ Result<std::uint64_t> Population::admit(const GenomePtr& genome, const Vec3& pla
     }
     resident.place(*center, Vec3::Zero());
     const std::uint64_t number = next_number_;
-    settle(*std::move(grown));
+    welcome(*std::move(grown));
     feel_energy();
     return number;
 }

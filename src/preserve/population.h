@@ -50,7 +50,7 @@ private:
     Result<std::unique_ptr<Resident>> newcomer(std::size_t place, std::string method);
     Life arriving(const GenomePtr& genome, std::string method) const;
     Energy price_of(const Resident& resident) const;
-    void settle(std::unique_ptr<Resident> resident);
+    void welcome(std::unique_ptr<Resident> resident);
     void take_in(std::unique_ptr<Resident> resident);
     void join_lineage(Resident& resident, const Resident* parent);
     void forget_lineages();

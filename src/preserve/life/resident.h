@@ -42,7 +42,7 @@ public:
     Resident& operator=(const Resident&) = delete;
 
     // Gives up what is needed only while it is placed: call it once it has its place.
-    void settle() { scene_->take_workspace(); }
+    void give_up_workspace() { scene_->take_workspace(); }
     // Returns the centre of mass of its present pose when the lowest corner is at the ground.
     Vec3 standing_at(double x) const;
     // Moves the centre of mass, and gives all parts that velocity.
