@@ -18,7 +18,7 @@ using Matrix = std::array<float, 16>;  // column by column
 
 constexpr int kShadowSide = 96;    // texels
 constexpr int kGrainSide = 256;    // texels
-constexpr int kEdgeSteps = 3;      // of a quarter of a round edge, halved
+constexpr int kEdgeSteps = 2;      // of a quarter of a round edge, halved
 constexpr double kNearest = 0.04;  // of the target's distance
 constexpr double kFarthest = 400.0;
 constexpr double kFloorReach = 120.0;  // distances of the target
