@@ -85,10 +85,17 @@ MainWindow::MainWindow(std::span<const PanelKind> kinds, Renderer* renderer) : k
 
 void MainWindow::draw(const FrameContext& frame, Requests& out) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
+    if (frame.window.presenting) {
+        Layout whole;
+        whole.viewport = {0, 0, size.x, size.y};
+        center_ = whole.viewport;
+        return draw_areas(frame, whole, out);
+    }
     const bool alone = frame.window.viewer_only;
     const Layout layout =
         alone ? viewer_layout(size.x, size.y, ui().scale)
               : divide_window(size.x, size.y, frame.view, ui().scale, frame.foot_shown());
+    center_ = layout.viewport;
     if (!alone) draw_gaps(layout);
     draw_areas(frame, layout, out);
     ViewState view = frame.view;

@@ -18,6 +18,8 @@ public:
 
     // May be called only between the host's begin_frame() and end_frame().
     void draw(const FrameContext& frame, Requests& out);
+    // Returns the place of the viewport, the grid or the world in the frame drawn last, in pixels.
+    const Rect& center() const { return center_; }
 
 private:
     void draw_areas(const FrameContext& frame, const Layout& layout, Requests& out);
@@ -25,6 +27,7 @@ private:
 
     std::span<const PanelKind> kinds_;
     std::vector<std::unique_ptr<Panel>> panels_;  // one panel per kind
+    Rect center_;
 };
 
 }  // namespace cambrian

@@ -10,11 +10,13 @@
 #include "studio/host/frame_log.h"
 #include "studio/host/frame_pace.h"
 #include "studio/host/imgui_host.h"
+#include "studio/host/picture_clipboard.h"
 #include "studio/main_window.h"
 #include "studio/panels/builtin_panels.h"
 #include "studio/panels/generations/timeline_chart.h"
 #include "studio/probe/screen_report.h"
 #include "studio/studio_controller.h"
+#include "studio/view_recorder.h"
 #include "studio/widgets/keyboard_focus.h"
 
 #include <GLFW/glfw3.h>
@@ -25,6 +27,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace cambrian {
@@ -33,6 +36,7 @@ namespace {
 constexpr double kIdleSleep = 0.25;  // s between frames while nothing moves
 // Frames drawn after the last activity, for hover effects and layout.
 constexpr int kSettledFrames = 3;
+constexpr float kPresentationScale = 2.4F;
 
 struct StudioKinds {
     const EvolutionKinds& here;
@@ -135,11 +139,13 @@ public:
     Preferences remembered() const { return controller_.remembered(); }
 
 private:
-    // Returns the size of the interface in pixels a unit.
+    // Returns the size of the interface in pixels a unit. A presentation is read from afar.
     float scale() const {
         const double told = options_.drawing.scale;
         const float base = told > 0.0 ? static_cast<float>(told) : window_.scale();
-        return base * 0.01F * static_cast<float>(controller_.view().size);
+        const bool presenting = controller_.presenting();
+        return base * 0.01F * static_cast<float>(controller_.view().size) *
+               (presenting ? kPresentationScale : 1.0F);
     }
 
     static MachineOptions machines(const StudioOptions& options) {
@@ -180,6 +186,7 @@ private:
     void frame(double now, double elapsed) {
         controller_.update(now, elapsed);
         FrameContext context = controller_.frame_context();
+        window_.fill_display(context.window.full_screen);
         context.window.framebuffer_height = window_.framebuffer_height();
         const bool automatic = context.view.scenery == Scenery::kAutomatic;
         context.window.scenery = automatic ? pace_.tier() : context.view.scenery;
@@ -212,7 +219,10 @@ private:
         const Stopwatch drawing;
         host_.end_frame();
         if (automatic && controller_.animating()) pace_.note(drawing.seconds(), elapsed);
+        if (!context.window.presenting) recorder_.take(center(), now);
         if (orders.screenshot) keep_picture(orders.screenshot->path);
+        if (orders.seen) keep_seen(now);
+        if (orders.copy) copy_picture();
         if (orders.card) keep_card(*orders.card);
         controller_.carry_out(requests);
         if (!options_.status_log.empty()) screen_report_.write(controller_.feedback().log());
@@ -222,10 +232,42 @@ private:
         return read_pixels(window_.framebuffer_width(), window_.framebuffer_height());
     }
 
-    // A picture that was just taken may still be without a file, so its number is never reused.
+    // Returns where the viewport, the grid or the world is.
+    ReadArea center() const {
+        const Rect& rect = main_window_.center();
+        const auto whole = [](float pixels) { return static_cast<int>(pixels); };
+        return {whole(rect.x), window_.framebuffer_height() - whole(rect.y) - whole(rect.height),
+                whole(rect.width), whole(rect.height)};
+    }
+
+    // Returns a new path in the user's folder of pictures. What was just saved may still be without
+    // a file, so its number is never reused.
+    std::filesystem::path new_path(std::string_view ending) {
+        std::filesystem::path path;
+        do {
+            path = pictures_folder() / fmt::format("cambrian-{}{}", ++pictures_, ending);
+        } while (std::filesystem::exists(path));
+        return std::filesystem::absolute(path);
+    }
+
+    void keep_seen(double now) {
+        SeenClip seen = recorder_.seen(now);
+        if (seen.pictures.empty())
+            return controller_.feedback().tell(NoticeKind::kProblem, "Nothing was seen yet.");
+        controller_.files().save_seen(new_path(".gif"), std::move(seen));
+    }
+
+    void copy_picture() {
+        if (clipboard_.put(read_pixels(center())))
+            return controller_.feedback().tell(NoticeKind::kDone,
+                                               "The picture is on the clipboard.");
+        controller_.feedback().tell(
+            NoticeKind::kProblem,
+            "Pictures can be copied only where the display is an X server; F12 saves one.");
+    }
+
     void keep_picture(std::filesystem::path path) {
-        while (path.empty() || std::filesystem::exists(path))
-            path = pictures_folder() / fmt::format("cambrian-{}.png", ++pictures_);
+        if (path.empty() || std::filesystem::exists(path)) path = new_path(".png");
         controller_.files().save_picture(std::filesystem::absolute(path), picture());
     }
 
@@ -273,6 +315,8 @@ private:
     MainWindow main_window_;
     FrameLog& frame_log_;
     FramePace pace_;
+    ViewRecorder recorder_;
+    PictureClipboard clipboard_;
     int quiet_frames_ = 0;
     int pictures_ = 0;  // number of the last one named by the studio
     bool started_ = false;

@@ -37,7 +37,10 @@ struct StudioController::Router {
     void operator()(const MachinesRequest& request) const { self.machines_.carry_out(request); }
     void operator()(const ComparisonRequest& request) const { self.comparison_.carry_out(request); }
     void operator()(const CoachRequest& request) const { self.coach_.carry_out(request); }
-    void operator()(const WindowRequest& request) const { self.window_.carry_out(request); }
+    void operator()(const WindowRequest& request) const {
+        if (std::holds_alternative<TogglePresentation>(request)) self.switch_presentation();
+        self.window_.carry_out(request);
+    }
 };
 
 StudioController::StudioController(const Preferences& remembered, const EvolutionKinds& kinds,
@@ -117,6 +120,7 @@ void StudioController::update(double now, double elapsed) {
     const OpenExperiment& open = std::as_const(experiment_).open();
     guide_.follow({open.running(), open.snapshot().champions.size(),
                    open.editor().draft().world.environment, view_.look, files_.saves()});
+    present(now);
     const Stopwatch spent;
     picking_.update(elapsed);
     preserve_.update();
@@ -126,6 +130,44 @@ void StudioController::update(double now, double elapsed) {
     generations_.keep_stars();
     services_.feedback.choose_notice();
     if (memory_.due(now)) keep_memory();
+}
+
+std::vector<Exhibit> StudioController::sample_exhibits() const {
+    std::vector<Exhibit> exhibits;
+    for (const Sample& sample : files_.samples().samples) {
+        if (sample.phenotype == nullptr) continue;
+        Exhibit exhibit = exhibit_of(sample.creature, ExhibitSource::kSample);
+        exhibit.title = sample.title;
+        exhibits.push_back(std::move(exhibit));
+    }
+    return exhibits;
+}
+
+void StudioController::switch_presentation() {
+    if (presentation_.on()) {
+        if (std::optional<Exhibit> before = presentation_.end()) viewer_.show(*std::move(before));
+        view_.newest_champion = newest_before_;
+        return;
+    }
+    newest_before_ = std::exchange(view_.newest_champion, false);
+    std::optional<Exhibit> before;
+    if (!viewer_.playback().empty()) before = viewer_.playback().exhibit();
+    presentation_.begin(best_exhibits(generations_.facts().stars.all(),
+                                      std::as_const(experiment_).open().snapshot().champions),
+                        std::move(before));
+    files_.want_samples();
+}
+
+// While a run has no champions yet, the samples are shown as soon as they are read.
+void StudioController::present(double now) {
+    if (!presentation_.on()) return;
+    if (presentation_.empty()) presentation_.show(sample_exhibits());
+    const Playback& playback = viewer_.playback();
+    const bool over = playback.empty() || playback.trial().finished();
+    if (const Exhibit* next = presentation_.update(now, over)) {
+        viewer_.show(*next);
+        viewer_.carry_out(FitView{});
+    }
 }
 
 void StudioController::carry_out(Requests& requests) {

@@ -11,6 +11,7 @@
 #include "studio/help/guide_controller.h"
 #include "studio/machines/machines_controller.h"
 #include "studio/memory.h"
+#include "studio/presentation.h"
 #include "studio/preserve/preserve_controller.h"
 #include "studio/window_controller.h"
 
@@ -45,6 +46,7 @@ public:
     FrameContext frame_context() const;
 
     const ViewState& view() const { return view_; }
+    bool presenting() const { return presentation_.on(); }
     bool animating() const;  // whether the next frame differs without input
     // Time spent on playback in the last update, in s.
     double playback_seconds() const { return playback_seconds_; }
@@ -56,6 +58,9 @@ public:
 
 private:
     struct Router;
+    void present(double now);
+    void switch_presentation();
+    std::vector<Exhibit> sample_exhibits() const;
 
     ViewState view_;
     OwnServices services_;
@@ -71,6 +76,8 @@ private:
     CoachController coach_;
     FilesController files_;
     Memory memory_;
+    Presentation presentation_;
+    bool newest_before_ = false;  // ViewState::newest_champion before the presentation
     double playback_seconds_ = 0.0;
 };
 

@@ -15,7 +15,19 @@ struct WindowController::Handler {
     }
     void operator()(const DismissNotice&) const { self.feedback_.dismiss(); }
     void operator()(const QuitStudio&) const { self.quit_wanted_ = true; }
+    void operator()(const ToggleFullScreen&) const {
+        self.facts_.full_screen = !self.facts_.full_screen;
+    }
+    void operator()(const TogglePresentation&) const { self.present(!self.facts_.presenting); }
 };
+
+void WindowController::present(bool on) {
+    if (on == facts_.presenting) return;
+    facts_.presenting = on;
+    facts_.palette_open = false;
+    if (on) filled_before_ = facts_.full_screen;
+    facts_.full_screen = on || filled_before_;
+}
 
 void WindowController::carry_out(const WindowRequest& request) {
     std::visit(Handler{*this}, request);

@@ -18,6 +18,8 @@ public:
     void clear_focus() { facts_.focus = Place::kNone; }
     void carry_out(const WindowRequest& request);
     WindowView facts() const;
+    // Shows only the viewport, on all of the display, or ends that.
+    void present(bool on);
     bool quit_wanted() const { return quit_wanted_; }
 
 private:
@@ -26,6 +28,7 @@ private:
     Feedback& feedback_;
     ViewState& view_;
     WindowView facts_;
+    bool filled_before_ = false;  // whether the window filled the display before it presented
     bool quit_wanted_ = false;
 };
 

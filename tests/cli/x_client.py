@@ -3,6 +3,7 @@
 x_client.py resources TEXT   sets the desktop's resources, as its settings do
 x_client.py mute             owns the clipboard and never answers, as a stopped program
 x_client.py offer TEXT       owns the clipboard and hands the text over
+x_client.py take FILE        writes the clipboard's PNG picture to the file
 
 Prints "ready" and stays until it is ended."""
 
@@ -55,9 +56,37 @@ def answer(display, request, text):
     X.XFlush(display)
 
 
+def taken(display, window, clipboard):
+    """Returns the clipboard's content as a PNG picture; nothing if its owner refuses."""
+    png, answer_here = (ctypes.c_ulong(X.XInternAtom(display, name, 0))
+                        for name in (b"image/png", b"TAKEN"))
+    X.XConvertSelection(display, ctypes.c_ulong(clipboard), png, answer_here,
+                        ctypes.c_ulong(window), ctypes.c_ulong(0))
+    event = Event()
+    while event.type != SELECTION_NOTIFY:
+        X.XNextEvent(display, ctypes.byref(event))
+    if event.notice.property == 0:
+        return b""
+    kind, form = ctypes.c_ulong(), ctypes.c_int()
+    count, left = ctypes.c_ulong(), ctypes.c_ulong()
+    data = ctypes.c_void_p()
+    X.XGetWindowProperty(display, ctypes.c_ulong(window), answer_here, ctypes.c_long(0),
+                         ctypes.c_long(1 << 24), 0, ctypes.c_ulong(0), ctypes.byref(kind),
+                         ctypes.byref(form), ctypes.byref(count), ctypes.byref(left),
+                         ctypes.byref(data))
+    return ctypes.string_at(data, count.value)
+
+
 def main(task, text=""):
     display = ctypes.c_void_p(X.XOpenDisplay(None))
     root = X.XDefaultRootWindow(display)
+    if task == "take":
+        window = X.XCreateSimpleWindow(display, ctypes.c_ulong(root), 0, 0, 1, 1, 0,
+                                       ctypes.c_ulong(0), ctypes.c_ulong(0))
+        clipboard = X.XInternAtom(display, b"CLIPBOARD", 0)
+        with open(text, "wb") as file:
+            file.write(taken(display, window, clipboard))
+        return
     if task == "resources":
         set_property(display, root, RESOURCE_MANAGER, STRING, text.encode())
     else:

@@ -47,6 +47,7 @@ struct ClipFormat {
     std::string_view slowness = {};  // what they do with more, as a clause
     bool even_sides = false;         // whether width and height must be even
     bool few_colors = false;         // whether it needs a census of colours
+    bool embeds = false;             // whether it can hold a creature file
     // Returns why it cannot be written here, as a sentence without a full stop; empty if it can.
     std::string (*missing)() = [] { return std::string(); };
     Result<std::unique_ptr<ClipEncoder>> (*open)(const ClipPlan& plan) = nullptr;

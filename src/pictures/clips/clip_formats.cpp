@@ -22,7 +22,8 @@ const ClipFormat* clip_format_of(const std::filesystem::path& path) {
 }
 
 const ClipFormat& card_format() {
-    return *clip_format_of("card.apng");
+    static const ClipFormat format = moving_png_format();
+    return format;
 }
 
 Status check_clip(const ClipFormat& format, const std::filesystem::path& path, int width,

@@ -162,6 +162,7 @@ ClipFormat moving_png_format() {
             .most_rate = kMostPngRate,
             .slowness = "displays show no more",
             .few_colors = true,
+            .embeds = true,
             .open = open_moving_png};
 }
 

@@ -33,12 +33,12 @@ constexpr std::array kNamedKeys = {
     NamedKey{"Enter", GLFW_KEY_ENTER},   NamedKey{"Backspace", GLFW_KEY_BACKSPACE},
     NamedKey{"Delete", GLFW_KEY_DELETE}, NamedKey{"Tab", GLFW_KEY_TAB},
     NamedKey{"Esc", GLFW_KEY_ESCAPE},    NamedKey{"F1", GLFW_KEY_F1},
-    NamedKey{"F12", GLFW_KEY_F12},       NamedKey{"←", GLFW_KEY_LEFT},
-    NamedKey{"→", GLFW_KEY_RIGHT},       NamedKey{"↑", GLFW_KEY_UP},
-    NamedKey{"↓", GLFW_KEY_DOWN},        NamedKey{"Plus", GLFW_KEY_EQUAL},
-    NamedKey{"Minus", GLFW_KEY_MINUS},   NamedKey{"Keypad 1", GLFW_KEY_KP_1},
-    NamedKey{"Keypad 3", GLFW_KEY_KP_3}, NamedKey{"Keypad 5", GLFW_KEY_KP_5},
-    NamedKey{"Keypad 7", GLFW_KEY_KP_7},
+    NamedKey{"F11", GLFW_KEY_F11},       NamedKey{"F12", GLFW_KEY_F12},
+    NamedKey{"←", GLFW_KEY_LEFT},        NamedKey{"→", GLFW_KEY_RIGHT},
+    NamedKey{"↑", GLFW_KEY_UP},          NamedKey{"↓", GLFW_KEY_DOWN},
+    NamedKey{"Plus", GLFW_KEY_EQUAL},    NamedKey{"Minus", GLFW_KEY_MINUS},
+    NamedKey{"Keypad 1", GLFW_KEY_KP_1}, NamedKey{"Keypad 3", GLFW_KEY_KP_3},
+    NamedKey{"Keypad 5", GLFW_KEY_KP_5}, NamedKey{"Keypad 7", GLFW_KEY_KP_7},
 };
 
 bool take_prefix(std::string_view& text, std::string_view prefix) {
@@ -191,6 +191,7 @@ std::string keys_text() {
 }
 
 void press_shortcut(const KeyPress& press, bool typing, const FrameContext& frame, Requests& out) {
+    if (frame.window.presenting) return out.ask(TogglePresentation{});
     if (typing && press.key == GLFW_KEY_ESCAPE) {
         static_cast<void>(close_card(frame, out));
         return;

@@ -12,6 +12,9 @@ bool has_run_before(const FrameContext& frame) {
 bool has_preserve(const FrameContext& frame) {
     return frame.preserve != nullptr;
 }
+bool has_creature(const FrameContext& frame) {
+    return !frame.viewer.playback.empty();
+}
 void take_screenshot(const FrameContext&, Requests& out) {
     out.ask(SaveScreenshot{});
 }
@@ -29,11 +32,14 @@ std::vector<Action> file_actions() {
         {"new-preserve", "Ctrl+N", "New preserve…", asks<TogglePreserveCard{}>, {}, {}, "A closed world in which creatures feed, breed and die."},
         {"close-preserve", "Ctrl+W", "Close preserve", asks<ClosePreserve{}>, has_preserve},
         {"save-experiment", "Ctrl+K", "Save experiment…", asks<OpenFilePanel{kSaveExperiment}>},
+        {"save-clip", "Ctrl+Shift+R", "Save clip…", asks<OpenFilePanel{kSaveClip}>, has_creature, {}, "The creature on display in motion: a GIF, an MP4, or a card that moves.", true},
         {"save-settings", "Ctrl+Shift+S", "Save settings…", asks<OpenFilePanel{kSaveSettings}>},
         {"export-statistics", "Ctrl+E", "Export statistics as CSV…", asks<OpenFilePanel{kSaveStatistics}>, has_generations},
         {"export-plot", "Ctrl+Shift+E", "Export plot as PNG, 1280 × 720…", asks<OpenFilePanel{kSavePlot}>, has_generations},
         {"export-plot-large", "", "Export plot as PNG, 1920 × 1080…", asks<OpenFilePanel{kSavePlot, {1920, 1080}}>, has_generations},
         {"screenshot", "F12", "Save picture of the window", take_screenshot, {}, {}, "", true},
+        {"save-seen", "Shift+F12", "Save the last ten seconds as seen", asks<SaveSeen{}>, {}, {}, "A GIF of the viewport with its overlays and ghosts, beside the pictures of the window.", true},
+        {"copy-picture", "Ctrl+Shift+C", "Copy picture of the viewport", asks<CopyPicture{}>, {}, {}, "", true},
         {"quit", "Ctrl+Q", "Quit", asks<QuitStudio{}>, {}, {}, "", true},
     };
     // clang-format on

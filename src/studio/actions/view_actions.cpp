@@ -118,6 +118,13 @@ bool is_light(const FrameContext& frame) {
     return frame.view.theme == ThemeKind::kLight;
 }
 
+bool is_full_screen(const FrameContext& frame) {
+    return frame.window.full_screen;
+}
+bool may_present(const FrameContext& frame) {
+    return frame.preserve == nullptr && frame.picking == nullptr;
+}
+
 void switch_look(const FrameContext& frame, Requests& out) {
     change_view(frame, out, [](ViewState& view) { view.look = next_look(view.look); });
 }
@@ -176,6 +183,8 @@ std::vector<Action> view_actions() {
         {"size-smaller", "Ctrl+Minus", "Interface size: smaller", change_size<-1>, {}, {}, "Down to 80 %."},
         {"theme", "Ctrl+L", "Light theme", switch_theme, {}, is_light, "Or the dark one.", true},
         {"look", "L", "Switch the look", switch_look, {}, {}, "See creatures alive, through their skin, or as boxes.", true},
+        {"full-screen", "F11", "Full screen", asks<ToggleFullScreen{}>, {}, is_full_screen, "", true},
+        {"present", "Shift+F11", "Presentation", asks<TogglePresentation{}>, may_present, {}, "The best creatures, one after the other, on the whole screen. Any key ends it."},
         {"close", "Esc", "Close the open menu or card", close_what_is_open, {}, {}, "", true},
     };
     // clang-format on

@@ -1,6 +1,7 @@
 #include "studio/files/file_browser.h"
 
 #include "persist/creature/creature_card.h"
+#include "studio/files/clip_maker.h"
 
 #include <fmt/core.h>
 
@@ -14,6 +15,7 @@ namespace {
 bool suits(std::string_view name, FileTask task) {
     if (name.ends_with(ending_of(task))) return true;
     if (task == FileTask::kSaveCreature) return name.ends_with(kCardEnding);
+    if (task == FileTask::kSaveClip) return is_clip_name(name);
     // Cards may have lost the first part of their double ending when they were sent.
     return task == FileTask::kOpen &&
            (name.ends_with(".toml") || name.ends_with(".png") || name.ends_with(".apng") ||
@@ -27,6 +29,8 @@ std::string_view ending_of(FileTask task) {
         case FileTask::kOpen:
         case FileTask::kSaveCreature:
             break;
+        case FileTask::kSaveClip:
+            return ".gif";
         case FileTask::kSaveExperiment:
         case FileTask::kSavePreserve:
             return ".cambrian";

@@ -13,6 +13,7 @@ namespace cambrian {
 enum class FileTask : std::uint8_t {
     kOpen,
     kSaveCreature,
+    kSaveClip,
     kSaveExperiment,
     kSavePreserve,
     kSaveSettings,

@@ -2,6 +2,7 @@
 
 // The data of files and samples that panels see, and the requests they may make of them.
 
+#include "studio/files/clip_maker.h"
 #include "studio/files/file_browser.h"
 #include "studio/files/recent_runs.h"
 #include "studio/files/sample_library.h"
@@ -55,6 +56,17 @@ struct SavePlotPicture {
 struct SaveScreenshot {
     std::filesystem::path path;  // empty for a new name in the user's folder of pictures
 };
+// Saves a clip of the creature on display.
+struct SaveClip {
+    std::filesystem::path path;
+    ClipChoice choice;
+};
+// Saves what was seen in the last seconds, under a new name in the user's folder of pictures.
+struct SaveSeen {};
+// Gives up the clip that is being written.
+struct StopClip {};
+// Puts the picture of the viewport on the clipboard.
+struct CopyPicture {};
 struct ToggleSamples {};
 // Lets a sample move on its tile; an empty path ends that.
 struct WatchSample {
@@ -75,13 +87,15 @@ struct BeginElsewhere {};
 using FilesRequest =
     std::variant<OpenFilePanel, CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile, SaveCell,
                  SaveResident, SavePiece, SavePreserveFile, SaveExperimentFile, OpenPreviousRun,
-                 SaveSettingsFile, SaveStatisticsFile, SavePlotPicture, SaveScreenshot,
-                 ToggleSamples, WatchSample, ToggleStartPage, OpenRun, ForgetRun, BeginElsewhere>;
+                 SaveSettingsFile, SaveStatisticsFile, SavePlotPicture, SaveScreenshot, SaveClip,
+                 SaveSeen, StopClip, CopyPicture, ToggleSamples, WatchSample, ToggleStartPage,
+                 OpenRun, ForgetRun, BeginElsewhere>;
 
 struct FilesView {
     const FileBrowser& browser;
     const SampleLibrary* samples = nullptr;
     const StartPage* start = nullptr;
+    ClipProgress clip = {};  // without a name if none is being written
 };
 
 }  // namespace cambrian

@@ -125,6 +125,22 @@ struct FilesController::Handler {
     }
     void operator()(const SavePlotPicture& request) const { self.orders_.plot = request; }
     void operator()(const SaveScreenshot& request) const { self.orders_.screenshot = request; }
+    void operator()(const SaveClip& request) const {
+        if (self.subjects_.viewer.playback().empty()) return;
+        const Exhibit& exhibit = self.subjects_.viewer.playback().exhibit();
+        TrialClip clip{request.path,
+                       self.displayed_document(),
+                       exhibit.name(),
+                       exhibit.settings(),
+                       request.choice,
+                       palette_of(self.view_.theme),
+                       {}};
+        if (exhibit.experiment != 0) clip.generation = exhibit.creature.generation;
+        self.clips_.make(std::move(clip));
+    }
+    void operator()(const SaveSeen&) const { self.orders_.seen = true; }
+    void operator()(const StopClip&) const { self.clips_.stop(); }
+    void operator()(const CopyPicture&) const { self.orders_.copy = true; }
     void operator()(const WatchSample& request) const { self.watch_sample(request.path); }
     // The folder is read each time, so that creatures added meanwhile are found.
     void operator()(const ToggleSamples&) const {
@@ -255,7 +271,8 @@ FilesController::FilesController(const Services& services, ViewState& view,
     : services_(services),
       view_(view),
       subjects_(subjects),
-      file_service_(services.worker, services.kinds, services.elsewhere) {
+      file_service_(services.worker, services.kinds, services.elsewhere),
+      clips_(services.kinds) {
     browser_.listing.folder = std::filesystem::current_path();
 }
 
@@ -278,6 +295,22 @@ void FilesController::update(double elapsed) {
     if (sample_motion_) sample_motion_->advance(elapsed);
     for (FileEvent& event : file_service_.take_events())
         std::visit(Receiver{*this}, event);
+    tell_finished_clips();
+}
+
+void FilesController::tell_finished_clips() {
+    const Receiver receiver{*this};
+    for (const FinishedClip& clip : clips_.take_finished()) {
+        if (clip.status) {
+            receiver(FileSaved{clip.path});
+        } else if (clip.stopped) {
+            receiver.log("stopped", clip.path);
+            services_.feedback.tell(
+                NoticeKind::kDone, fmt::format("{} was not saved.", clip.path.filename().string()));
+        } else {
+            receiver(FileFailed{clip.path, clip.status.error().message});
+        }
+    }
 }
 
 void FilesController::carry_out(const FilesRequest& request) {
@@ -338,9 +371,18 @@ void FilesController::save_picture(const std::filesystem::path& path, Image imag
     file_service_.save_picture(path, std::move(image));
 }
 
+void FilesController::save_seen(const std::filesystem::path& path, SeenClip seen) {
+    clips_.make(path, *clip_format_of(path), std::move(seen));
+}
+
+void FilesController::want_samples() {
+    if (!samples_.read) read_sample_folder();
+}
+
 // Returns whether a task has something to save; if not, shows a notice that says why.
 bool FilesController::may_open(FileTask task) {
-    if (task == FileTask::kSaveCreature && subjects_.viewer.playback().empty()) {
+    const bool of_creature = task == FileTask::kSaveCreature || task == FileTask::kSaveClip;
+    if (of_creature && subjects_.viewer.playback().empty()) {
         services_.feedback.tell(NoticeKind::kProblem, "There is no creature on display to save.");
         return false;
     }
@@ -360,6 +402,8 @@ std::string FilesController::suggested_name(FileTask task) const {
             return {};
         case FileTask::kSaveCreature:
             return file_stem(subjects_.viewer.playback().exhibit().name()).append(kCreatureEnding);
+        case FileTask::kSaveClip:
+            return file_stem(subjects_.viewer.playback().exhibit().name()) + ".gif";
         case FileTask::kSaveExperiment:
             return experiment.files().chosen().empty()
                        ? file_stem(experiment.editor().draft().goal) + ".cambrian"

@@ -30,6 +30,8 @@ struct PictureOrders {
     std::optional<SaveScreenshot> screenshot;
     std::optional<SavePlotPicture> plot;
     std::optional<PreparedCard> card;
+    bool seen = false;  // the clip of the last seconds
+    bool copy = false;  // the picture of the viewport, for the clipboard
 };
 
 // A way from a world into the one of other dimensions.
@@ -49,7 +51,8 @@ public:
     bool animating() const { return samples_.motion != nullptr; }
     void carry_out(const FilesRequest& request);
     FilesView facts() const {
-        return {.browser = browser_, .samples = &samples_, .start = &start_};
+        return {
+            .browser = browser_, .samples = &samples_, .start = &start_, .clip = clips_.progress()};
     }
     unsigned saves() const { return saves_; }  // number of files saved so far
 
@@ -71,6 +74,10 @@ public:
     PictureOrders take_orders() { return std::exchange(orders_, {}); }
     void save_card(const PreparedCard& card, Image picture);
     void save_picture(const std::filesystem::path& path, Image image);
+    void save_seen(const std::filesystem::path& path, SeenClip seen);
+    const SampleLibrary& samples() const { return samples_; }
+    // Reads the samples in the background unless that was done.
+    void want_samples();
 
 private:
     struct Handler;
@@ -83,11 +90,13 @@ private:
     void show(const CreatureDocument& document, ExhibitSource source,
               const std::filesystem::path& path);
     CreatureDocument displayed_document() const;
+    void tell_finished_clips();
 
     Services services_;
     ViewState& view_;
     FileSubjects subjects_;
     FileService file_service_;
+    ClipMaker clips_;
     FileBrowser browser_;
     std::filesystem::path samples_folder_;
     SampleLibrary samples_;

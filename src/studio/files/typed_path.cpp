@@ -2,6 +2,7 @@
 
 #include "core/files/file_io.h"
 #include "persist/creature/creature_card.h"
+#include "studio/files/clip_maker.h"
 #include "studio/files/file_service.h"
 
 #include <fmt/core.h>
@@ -51,13 +52,14 @@ std::string_view trimmed(std::string_view text) {
 }
 
 bool has_ending(const std::string& name, FileTask task) {
-    return name.ends_with(ending_of(task)) ||
+    return name.ends_with(ending_of(task)) || (task == FileTask::kSaveClip && is_clip_name(name)) ||
            (task == FileTask::kSaveCreature &&
             (name.ends_with(kCreatureEnding) || is_card_name(name)));
 }
 
 bool is_only_an_ending(const std::string& name, FileTask task) {
-    return name == ending_of(task) || name == kCardEnding || name == ".png";
+    return name == ending_of(task) || (task == FileTask::kSaveClip && name == ".mp4") ||
+           name == kCardEnding || name == ".png";
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ struct FrameContext {
     bool in_space() const { return kinds.creature.scene.dimensions == 3; }
     bool grid_shown() const { return picking != nullptr && !picking->single; }
     bool founders_shown() const {
-        return coach.founders != nullptr && picking == nullptr && preserve == nullptr;
+        return coach.founders != nullptr && picking == nullptr && preserve == nullptr &&
+               !window.presenting;
     }
     bool world_shown() const { return preserve != nullptr && !preserve->single; }
     // The tour waits while a preserve is open.

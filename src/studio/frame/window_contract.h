@@ -23,15 +23,20 @@ struct FocusPlace {
 struct TogglePalette {};
 struct DismissNotice {};
 struct QuitStudio {};
+struct ToggleFullScreen {};
+// Begins or ends the presentation of the best creatures.
+struct TogglePresentation {};
 
-using WindowRequest =
-    std::variant<ChangeView, FocusPlace, TogglePalette, DismissNotice, QuitStudio>;
+using WindowRequest = std::variant<ChangeView, FocusPlace, TogglePalette, DismissNotice, QuitStudio,
+                                   ToggleFullScreen, TogglePresentation>;
 
 struct WindowView {
     const Notice* notice = nullptr;  // null if there is no notice
     Place focus = Place::kNone;      // panel that gets the keyboard focus in this frame
     bool palette_open = false;
     bool viewer_only = false;    // only the viewport and its transport bar are shown
+    bool full_screen = false;    // the window fills the display
+    bool presenting = false;     // only the viewport is shown, with large words
     int framebuffer_height = 0;  // pixels
     bool narrow = false;  // has no room for both side panels, so that the left one hides the other
     Scenery scenery = Scenery::kFull;  // that is drawn; never kAutomatic

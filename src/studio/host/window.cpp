@@ -63,6 +63,7 @@ GLFWwindow* create_window(int width, int height, const std::string& title) {
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, usable ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "cambrian");
     return glfwCreateWindow(sized(width), sized(height), title.c_str(), nullptr, nullptr);
 }
@@ -153,6 +154,39 @@ void Window::set_title(const std::string& title) {
     if (clean == title_) return;
     title_ = clean;
     glfwSetWindowTitle(window_, title_.c_str());
+}
+
+namespace {
+
+// Returns the display that has the middle of a window; null without displays.
+GLFWmonitor* display_of(int x, int y) {
+    int count = 0;
+    GLFWmonitor** const all = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        int left = 0;
+        int top = 0;
+        glfwGetMonitorPos(all[i], &left, &top);
+        const GLFWvidmode* mode = glfwGetVideoMode(all[i]);
+        if (mode != nullptr && x >= left && x < left + mode->width && y >= top &&
+            y < top + mode->height)
+            return all[i];
+    }
+    return glfwGetPrimaryMonitor();
+}
+
+}  // namespace
+
+void Window::fill_display(bool fills) {
+    activity_ = true;
+    if (fills == (glfwGetWindowMonitor(window_) != nullptr)) return;
+    auto& [x, y, width, height] = windowed_;
+    if (!fills) return glfwSetWindowMonitor(window_, nullptr, x, y, width, height, GLFW_DONT_CARE);
+    glfwGetWindowPos(window_, &x, &y);
+    glfwGetWindowSize(window_, &width, &height);
+    GLFWmonitor* const display = display_of(x + width / 2, y + height / 2);
+    const GLFWvidmode* mode = display == nullptr ? nullptr : glfwGetVideoMode(display);
+    if (mode == nullptr) return;
+    glfwSetWindowMonitor(window_, display, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
 bool Window::close_wanted() const {

@@ -29,6 +29,8 @@ public:
 
     GLFWwindow* handle() { return window_; }
     void set_title(const std::string& title);
+    // Fills the display that the window is on, or returns to where it was.
+    void fill_display(bool fills);
     bool close_wanted() const;
     float scale() const { return scale_; }  // pixels per 1/96 inch on this display
     int framebuffer_width() const;
@@ -52,6 +54,12 @@ private:
     GLFWwindow* window_ = nullptr;
     float scale_ = 1.0F;
     std::string title_;
+    struct {
+        int x = 0;
+        int y = 0;
+        int width = 0;
+        int height = 0;
+    } windowed_;  // place and size to return to, in GLFW's units
     std::vector<KeyPress> keys_;
     std::vector<std::filesystem::path> dropped_;
     bool activity_ = true;

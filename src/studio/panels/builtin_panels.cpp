@@ -2,6 +2,7 @@
 
 #include "studio/panels/bar/evolve_bar.h"
 #include "studio/panels/bar/machines_line.h"
+#include "studio/panels/cards/clip_strip.h"
 #include "studio/panels/cards/comparison_panel.h"
 #include "studio/panels/cards/file_panel.h"
 #include "studio/panels/cards/help_panel.h"
@@ -127,6 +128,9 @@ bool machines_open(const FrameContext& frame) {
 bool comparison_open(const FrameContext& frame) {
     return frame.comparison != nullptr && frame.comparison->card_open;
 }
+bool clip_written(const FrameContext& frame) {
+    return !frame.files.clip.name.empty();
+}
 bool touring(const FrameContext& frame) {
     return frame.tour_shown();
 }
@@ -170,6 +174,7 @@ const std::array kPanels = {
     PanelKind{"comparison",    {kCard, 20, 18, {}, 10, centered<860, 640>}, comparison_open, make<ComparisonPanel>},
     PanelKind{"tour",          {kCard, 20, 18, {}, 10, tour_place},       touring,        make<TourCard>},
     PanelKind{"palette",       {kCard, 14, 14, {}, 10, palette_place},    palette_open,   make<PalettePanel>},
+    PanelKind{"clip",          {kCard, 16, 9, {}, 6, clip_place},         clip_written,   make<ClipStrip>},
     PanelKind{"notice",        {kCard, 18, 10, {}, 4, notice_place},      notice_told,    make<NoticeStrip>},
 };
 // clang-format on

@@ -126,7 +126,7 @@ bool tick_box(const std::string& label, Tick tick) {
 }
 
 int segmented(const std::string& name, const std::vector<std::string>& labels, int chosen,
-              const std::vector<std::string>& tooltips) {
+              const std::vector<std::string>& tooltips, const std::vector<bool>& possible) {
     ImGui::PushID(name.c_str());
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(2), 0.0F));
     const bool roomy = row_width(labels, px(18)) <= ImGui::GetContentRegionAvail().x;
@@ -146,6 +146,7 @@ int segmented(const std::string& name, const std::vector<std::string>& labels, i
         if (i % a_line != 0 && end <= right_edge) ImGui::SameLine();
         style.height = px(28);
         if (index < tooltips.size()) style.tooltip = tooltips[index].c_str();
+        if (index < possible.size()) style.enabled = possible[index];
         if (push_button(label, style)) pressed = i;
     }
     ImGui::PopFont();

@@ -35,9 +35,11 @@ enum class Tick : unsigned char { kOff, kSome, kOn };
 bool tick_box(const std::string& label, Tick tick);
 
 // A row of choices, one of which is chosen. Returns the index pressed, or -1. Narrow rows use the
-// small font and, if that is not enough, several lines. Each label has its tooltip.
+// small font and, if that is not enough, several lines. Each label has its tooltip, and may be one
+// that cannot be chosen now.
 int segmented(const std::string& name, const std::vector<std::string>& labels, int chosen,
-              const std::vector<std::string>& tooltips = {});
+              const std::vector<std::string>& tooltips = {},
+              const std::vector<bool>& possible = {});
 
 // Like ImGui::BeginCombo, with the studio's chevron. ImGui::EndCombo() ends it.
 // A text that is too wide for it is shortened.

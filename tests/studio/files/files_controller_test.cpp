@@ -43,6 +43,73 @@ TEST_CASE("a plot is requested from the window in the chosen size", "[studio][fi
     CHECK_FALSE(run.studio.files().take_orders().plot);
 }
 
+TEST_CASE("a clip of the creature on display is written while other files are", "[studio][files]") {
+    StudioRun run;
+    finish_generations(run, 1);
+    const auto gif = run.folder.path() / "a.gif";
+    const auto settings = run.folder.path() / "a.toml";
+    const ClipKind& kind = *clip_kind_of("a.gif");
+    run.ask(SaveClip{gif, {kind.format, kind.card, 320, 180, 86400.0, 0.25}});
+    CHECK(run.studio.frame_context().files.clip.name == "a.gif");
+    run.ask(SaveSettingsFile{settings});
+    REQUIRE(run.frames_until([&] { return std::filesystem::exists(settings); }));
+    REQUIRE(run.frames_until([&] { return std::filesystem::exists(gif); }));
+    REQUIRE(run.frames_until([&] { return run.studio.frame_context().files.clip.name.empty(); }));
+    CHECK_THAT(run.log(), Catch::Contains("a.gif"));
+}
+
+TEST_CASE("a clip that is stopped leaves nothing", "[studio][files]") {
+    StudioRun run;
+    finish_generations(run, 1);
+    const auto folder = run.folder.path() / "clips";
+    std::filesystem::create_directory(folder);
+    const ClipKind& kind = *clip_kind_of("a.card.png");
+    for (const char* name : {"a.card.png", "b.card.png"})
+        run.ask(SaveClip{folder / name, {kind.format, true, 960, 1280, 86400.0, 0.01}});
+    run.ask(StopClip{});
+    REQUIRE(run.frames_until(
+        [&] { return run.studio.frame_context().files.clip.name == "b.card.png"; }));
+    run.ask(StopClip{});
+    REQUIRE(run.frames_until([&] { return run.studio.frame_context().files.clip.name.empty(); }));
+    CHECK(std::filesystem::is_empty(folder));
+    CHECK(run.studio.frame_context().window.notice->text == "b.card.png was not saved.");
+}
+
+TEST_CASE("a clip that cannot be written is told", "[studio][files]") {
+    StudioRun run;
+    finish_generations(run, 1);
+    const ClipKind& kind = *clip_kind_of("a.gif");
+    run.ask(SaveClip{run.folder.path() / "nowhere" / "a.gif",
+                     {kind.format, false, 320, 180, 0.1, 1.0}});
+    REQUIRE(run.frames_until([&] {
+        const Notice* notice = run.studio.frame_context().window.notice;
+        return notice != nullptr && notice->kind == NoticeKind::kProblem;
+    }));
+    CHECK_THAT(run.studio.frame_context().window.notice->text, Catch::Contains("nowhere/a.gif"));
+}
+
+TEST_CASE("what was seen becomes a clip", "[studio][files]") {
+    StudioRun run;
+    const auto path = run.folder.path() / "seen.gif";
+    PicturePacker packer;
+    SeenClip seen{64, 48, 3.0, {}};
+    for (int i = 0; i < 10; ++i) {
+        const auto level = static_cast<std::uint8_t>(20 * i);
+        const Image picture{64, 48, std::vector<std::uint8_t>(3 * 64 * 48, level)};
+        seen.pictures.push_back({1.0 + 0.2 * i, packer.pack(picture)});
+    }
+    run.studio.files().save_seen(path, seen);
+    REQUIRE(run.frames_until([&] { return std::filesystem::exists(path); }));
+    std::ostringstream bytes;
+    bytes << std::ifstream(path).rdbuf();
+    const std::string gif = bytes.str();
+    CHECK(gif.starts_with("GIF89a"));
+    int controls = 0;
+    for (std::size_t at = 0; (at = gif.find("\x21\xf9\x04", at)) != std::string::npos; ++at)
+        ++controls;
+    CHECK(controls == 40);  // two seconds at the usual rate
+}
+
 TEST_CASE("a sample moves as long as it is watched", "[studio][files][samples]") {
     StudioRun run;
     const auto path = run.folder.path() / "crawler.creature.json";

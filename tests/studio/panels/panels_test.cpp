@@ -285,6 +285,60 @@ TEST_CASE("a creature can be saved as a card and back, by a button or by its nam
     CHECK(saved_as() == "/creatures/posted.png");
 }
 
+TEST_CASE("a clip is saved in the kind, length, speed and size that are chosen",
+          "[studio][file_panel]") {
+    NullImGui gui;
+    FilePanel panel;
+    test::StudioFixture studio;
+    studio.files().open = true;
+    studio.files().opened = 1;
+    studio.files().task = FileTask::kSaveClip;
+    studio.files().suggested_name = "hopper.gif";
+    studio.files().listing.folder = "/creatures";
+    const auto saved = [&] { return test::asked<SaveClip>(click(gui, panel, studio, "Save")); };
+    SaveClip clip = saved();
+    CHECK(clip.path == "/creatures/hopper.gif");
+    CHECK(clip.choice.format->label == "GIF");
+    CHECK(clip.choice.width == 640);
+    CHECK(clip.choice.seconds == 5.0);
+    CHECK(clip.choice.speed == 1.0);
+    click(gui, panel, studio, "Moving card");
+    click(gui, panel, studio, "10 s");
+    click(gui, panel, studio, "½ ×");
+    clip = saved();
+    CHECK(clip.path == "/creatures/hopper.card.png");
+    CHECK(clip.choice.card);
+    CHECK(clip.choice.height == 800);
+    CHECK(clip.choice.seconds == 10.0);
+    CHECK(clip.choice.speed == 0.5);
+    studio.files().opened = 2;
+    studio.files().suggested_name = "hopper";
+    CHECK(saved().path == "/creatures/hopper.card.png");
+    studio.files().opened = 3;
+    studio.files().suggested_name = "posted.gif";
+    click(gui, panel, studio, "1080p");
+    clip = saved();
+    CHECK_FALSE(clip.choice.card);
+    CHECK(clip.choice.height == 1080);
+    CHECK(test::asked<OpenFilePanel>(click(gui, panel, studio, "Card")).task ==
+          FileTask::kSaveCreature);
+}
+
+TEST_CASE("a kind of clip that cannot be written here cannot be chosen", "[studio][file_panel]") {
+    NullImGui gui;
+    FilePanel panel;
+    test::StudioFixture studio;
+    studio.files().open = true;
+    studio.files().opened = 1;
+    studio.files().task = FileTask::kSaveClip;
+    studio.files().suggested_name = "hopper.gif";
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", "/nowhere", 1);
+    click(gui, panel, studio, "MP4");
+    CHECK(test::asked<SaveClip>(click(gui, panel, studio, "Save")).choice.format->label == "GIF");
+    ::setenv("PATH", path.c_str(), 1);
+}
+
 TEST_CASE("a file is replaced only when Save is pressed again", "[studio][file_panel]") {
     NullImGui gui;
     FilePanel panel;

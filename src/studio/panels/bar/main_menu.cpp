@@ -17,13 +17,14 @@ struct Menu {
 constexpr std::array kMenus = {
     Menu{"File",
          "start open samples previous-run | new-preserve add-file keep-preserve close-preserve | "
-         "save-creature save-experiment save-settings export-* screenshot | compare machines | "
+         "save-creature save-clip save-experiment save-settings export-* | screenshot save-seen "
+         "copy-picture | compare machines | "
          "quit"},
     Menu{"Edit", "undo redo | palette find-setting | new-run-* evolve-shown"},
     Menu{"View",
          "pick-by-hand | panel-* | follow newest-always fit | side-* | overlay-* | look-* | "
          "scenery-* | "
-         "ghosts-* | rival | theme size-larger size-smaller size-100"},
+         "ghosts-* | rival | full-screen present | theme size-larger size-smaller size-100"},
     Menu{"Help", "help palette keys tour | about"}};
 
 bool any_menu_open() {

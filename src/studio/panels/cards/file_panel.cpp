@@ -6,6 +6,8 @@
 #include "studio/widgets/keyboard_focus.h"
 #include "studio/widgets/widgets.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstring>
 #include <string>
@@ -14,12 +16,17 @@
 namespace cambrian {
 namespace {
 
+constexpr float kCaptionWidth = 74.0F;
+constexpr float kChoiceRow = 28.0F;
+
 const char* title_of(FileTask task) {
     switch (task) {
         case FileTask::kOpen:
             return "Open a creature, a card, an experiment, a preserve or settings";
         case FileTask::kSaveCreature:
             return "Save the creature on display";
+        case FileTask::kSaveClip:
+            return "Save a clip of the creature on display";
         case FileTask::kSaveExperiment:
             return "Save the experiment";
         case FileTask::kSavePreserve:
@@ -34,14 +41,73 @@ const char* title_of(FileTask task) {
     return "Save the settings";
 }
 
-// Replaces the ending of a creature file or card by another one.
-std::string with_ending(std::string name, std::string_view ending) {
-    for (const std::string_view known : {kCreatureEnding, kCardEnding, std::string_view(".png")}) {
+struct ClipLength {
+    const char* label;
+    double seconds;
+};
+constexpr std::array kLengths = {ClipLength{"3 s", 3.0}, ClipLength{"5 s", 5.0},
+                                 ClipLength{"10 s", 10.0}, ClipLength{"The whole trial", 86400.0}};
+struct ClipSpeed {
+    const char* label;
+    double speed;
+};
+constexpr std::array kSpeeds = {ClipSpeed{"¼ ×", 0.25}, ClipSpeed{"½ ×", 0.5},
+                                ClipSpeed{"1 ×", 1.0}, ClipSpeed{"2 ×", 2.0}};
+struct ClipSize {
+    const char* label;
+    int width;  // pixels
+    int height;
+};
+constexpr std::array kClipSizes = {ClipSize{"640 × 360", 640, 360}, ClipSize{"720p", 1280, 720},
+                                   ClipSize{"1080p", 1920, 1080}};
+constexpr std::array kCardSizes = {ClipSize{"480 × 640", 480, 640}, ClipSize{"600 × 800", 600, 800},
+                                   ClipSize{"960 × 1280", 960, 1280}};
+
+const std::array<ClipSize, 3>& sizes_of(const ClipKind& kind) {
+    return kind.card ? kCardSizes : kClipSizes;
+}
+
+// Returns the place of a kind's usual size.
+std::size_t usual_size_of(const ClipKind& kind) {
+    if (kind.card) return 1;
+    return kind.format->usual_width > kClipSizes[0].width ? 1 : 0;
+}
+
+template <class Line, std::size_t Count>
+std::vector<std::string> clip_labels(const std::array<Line, Count>& lines) {
+    std::vector<std::string> labels;
+    for (const Line& line : lines)
+        labels.emplace_back(line.label);
+    return labels;
+}
+
+// Draws a caption and the choices beside it; returns whether one was pressed.
+template <class Line, std::size_t Count>
+bool choose_of_clip(const char* caption, const std::array<Line, Count>& lines,
+                    std::size_t& chosen) {
+    ImGui::AlignTextToFramePadding();
+    muted_text(caption);
+    ImGui::SameLine(px(kCaptionWidth));
+    const int pressed = segmented(caption, clip_labels(lines), static_cast<int>(chosen));
+    if (pressed >= 0) chosen = static_cast<std::size_t>(pressed);
+    return pressed >= 0;
+}
+
+// Replaces the ending of a creature file, card or clip by another one.
+std::string with_other_ending(std::string name, std::string_view ending) {
+    std::vector<std::string_view> endings = {kCreatureEnding, kCardEnding, ".png"};
+    for (const ClipKind& kind : clip_kinds())
+        endings.push_back(kind.ending);
+    for (const std::string_view known : endings) {
         if (!name.ends_with(known)) continue;
         name.resize(name.size() - known.size());
         break;
     }
     return name.append(ending);
+}
+
+bool is_of_creature(FileTask task) {
+    return task == FileTask::kSaveCreature || task == FileTask::kSaveClip;
 }
 
 // Returns whether saving would replace another file. A preserve never replaces one.
@@ -80,18 +146,24 @@ void FilePanel::draw(const FrameContext& frame, Requests& out) {
     if (opening_ != files.opened) {
         opening_ = files.opened;
         begin_name(files.suggested_name);
+        missing_.clear();
+        for (const ClipKind& kind : clip_kinds())
+            missing_.push_back(kind.format->missing());
     }
     {
         const WithFont font(ui().fonts.title);
         ImGui::TextUnformatted(title_of(files.task));
     }
     draw_places(frame, out);
-    const bool creature = frame.files.browser.task == FileTask::kSaveCreature;
-    const float foot = px(30) * 2 + px(34) + (creature ? px(50) : 0.0F);
+    const bool creature = is_of_creature(files.task);
+    const bool clip = files.task == FileTask::kSaveClip;
+    const float foot = px(30) * 2 + px(34) + (creature ? px(50) : 0.0F) +
+                       (clip ? 4.0F * px(kChoiceRow) + px(8) : 0.0F);
     ImGui::BeginChild("entries", {0, -foot}, false, ImGuiWindowFlags_NoBackground);
     draw_entries(frame, out);
     ImGui::EndChild();
-    if (creature) draw_format();
+    if (creature) draw_format(frame, out);
+    if (clip) draw_clip_choices();
     draw_name(frame, out);
 }
 
@@ -124,19 +196,68 @@ void FilePanel::draw_entries(const FrameContext& frame, Requests& out) {
     ImGui::PopStyleVar();
 }
 
-// Shows which format the name's ending means, and offers the other one.
-void FilePanel::draw_format() {
+// Shows which format the name's ending means, and offers the others.
+void FilePanel::draw_format(const FrameContext& frame, Requests& out) {
     const std::string name = name_.data();
-    const bool card = is_card_name(name);
+    const bool clip = frame.files.browser.task == FileTask::kSaveClip;
+    const int present = clip ? 2 : is_card_name(name) ? 1 : 0;
     const int chosen = segmented(
-        "format", {"Creature file", "Card"}, card ? 1 : 0,
+        "format", {"Creature file", "Card", "Clip"}, present,
         {"*.creature.json: the creature as text, to be opened again or read by other programs",
          "*.card.png: a picture of the creature that carries all of it inside. Whoever gets the "
-         "picture can drop it on the window."});
+         "picture can drop it on the window.",
+         "The creature in motion, to be shown anywhere"});
     ImGui::Dummy({0, px(2)});
-    if (chosen < 0) return;
-    write_name(with_ending(name, chosen == 1 ? kCardEnding : kCreatureEnding));
+    if (chosen < 0 || chosen == present) return;
+    if (clip || chosen == 2)
+        out.ask(OpenFilePanel{chosen == 2 ? FileTask::kSaveClip : FileTask::kSaveCreature});
+    if (chosen == 2) return;
+    write_name(with_other_ending(name, chosen == 1 ? kCardEnding : kCreatureEnding));
     focus_wanted_ = true;
+}
+
+// Shows which kind of clip the name's ending means, and all that can be chosen about it.
+void FilePanel::draw_clip_choices() {
+    const std::vector<ClipKind>& kinds = clip_kinds();
+    const ClipKind* named = clip_kind_of(name_.data());
+    const auto take = [&](std::size_t kind) {
+        if (kind != clip_.kind) clip_.size = usual_size_of(kinds[kind]);
+        clip_.kind = kind;
+    };
+    if (named != nullptr) take(static_cast<std::size_t>(named - kinds.data()));
+    std::vector<std::string> labels;
+    std::vector<std::string> words;
+    std::vector<bool> possible;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        labels.push_back(kinds[i].label);
+        words.push_back(missing_[i].empty() ? fmt::format("*{}", kinds[i].ending) : missing_[i]);
+        possible.push_back(missing_[i].empty());
+    }
+    ImGui::AlignTextToFramePadding();
+    muted_text("Kind");
+    ImGui::SameLine(px(kCaptionWidth));
+    const int pressed = segmented("Kind", labels, static_cast<int>(clip_.kind), words, possible);
+    if (pressed >= 0) {
+        take(static_cast<std::size_t>(pressed));
+        write_name(with_other_ending(name_.data(), kinds[clip_.kind].ending));
+        focus_wanted_ = true;
+    }
+    // The keyboard stays with the name.
+    focus_wanted_ |= choose_of_clip("Length", kLengths, clip_.length);
+    focus_wanted_ |= choose_of_clip("Speed", kSpeeds, clip_.speed);
+    focus_wanted_ |= choose_of_clip("Size", sizes_of(kinds[clip_.kind]), clip_.size);
+    ImGui::Dummy({0, px(2)});
+}
+
+ClipChoice FilePanel::clip_choice() const {
+    const ClipKind& kind = clip_kinds()[clip_.kind];
+    const ClipSize& size = sizes_of(kind)[clip_.size];
+    return {kind.format,
+            kind.card,
+            size.width,
+            size.height,
+            kLengths[clip_.length].seconds,
+            kSpeeds[clip_.speed].speed};
 }
 
 // Offers a name to type over.
@@ -196,6 +317,9 @@ void FilePanel::draw_name(const FrameContext& frame, Requests& out) {
 // second Save.
 void FilePanel::confirm(const FrameContext& frame, Requests& out) {
     const FileBrowser& files = frame.files.browser;
+    if (files.task == FileTask::kSaveClip && name_[0] != '\0' &&
+        clip_kind_of(name_.data()) == nullptr)
+        write_name(with_other_ending(name_.data(), clip_kinds()[clip_.kind].ending));
     const TypedPath typed = typed_path(files, name_.data());
     const std::filesystem::path& path = typed.path;
     if (!typed.fault.empty()) {
@@ -215,6 +339,7 @@ void FilePanel::confirm(const FrameContext& frame, Requests& out) {
     const FileTask task = files.task;
     if (task == FileTask::kOpen) out.ask(LoadFile{path});
     if (task == FileTask::kSaveCreature) out.ask(SaveCreatureFile{path});
+    if (task == FileTask::kSaveClip) out.ask(SaveClip{path, clip_choice()});
     if (task == FileTask::kSaveExperiment) out.ask(SaveExperimentFile{path});
     if (task == FileTask::kSavePreserve) out.ask(SavePreserveFile{path});
     if (task == FileTask::kSaveSettings) out.ask(SaveSettingsFile{path});

@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace cambrian {
 
@@ -18,7 +19,9 @@ public:
 private:
     void draw_places(const FrameContext& frame, Requests& out);
     void draw_entries(const FrameContext& frame, Requests& out);
-    void draw_format();
+    void draw_format(const FrameContext& frame, Requests& out);
+    void draw_clip_choices();
+    ClipChoice clip_choice() const;
     void draw_name(const FrameContext& frame, Requests& out);
     void begin_name(const std::string& name);
     void write_name(const std::string& name);
@@ -30,6 +33,14 @@ private:
     std::filesystem::path warned_;   // existing file that the next Save replaces
     std::string refused_;            // the name that was refused last
     bool focus_wanted_ = false;
+    // What is chosen about a clip: places in the lists of file_panel.cpp.
+    struct {
+        std::size_t kind = 0;
+        std::size_t length = 1;
+        std::size_t speed = 2;
+        std::size_t size = 0;
+    } clip_;
+    std::vector<std::string> missing_;  // why each kind of clip cannot be written; empty if it can
 };
 
 }  // namespace cambrian

@@ -103,7 +103,7 @@ WorldWindow shown_bounds(const Playback& playback) {
 // Whether the viewport offers what can be done with the creature; modes have their own buttons.
 bool has_actions(const FrameContext& frame) {
     return !frame.viewer.playback.empty() && !frame.window.viewer_only &&
-           frame.picking == nullptr && frame.preserve == nullptr;
+           !frame.window.presenting && frame.picking == nullptr && frame.preserve == nullptr;
 }
 
 }  // namespace
@@ -142,6 +142,11 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
         }
         if (frame.view.overlays.names) draw_part_names(frame);
         draw_words(frame);
+    }
+    if (frame.window.presenting) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_None);
+        if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) out.ask(TogglePresentation{});
+        return;
     }
     draw_viewport_tools(frame, canvas_.area, out);
     if (frame.in_space() && !frame.viewer.playback.empty())
