@@ -1,6 +1,5 @@
 #include "app/evolve/comparison_pictures.h"
 
-#include "pictures/workshop.h"
 #include "comparison/curves.h"
 #include "comparison/report.h"
 #include "core/files/file_io.h"
@@ -8,6 +7,7 @@
 #include "core/text/pretty_text.h"
 #include "persist/creature/png_file.h"
 #include "pictures/curves_picture.h"
+#include "pictures/workshop.h"
 
 #include <fmt/core.h>
 
