@@ -69,8 +69,8 @@ Status check_log(const fs::path& path) {
 }
 
 Status check_folder_name(const fs::path& path) {
-    constexpr std::array<std::string_view, 9> kEndings = {
-        ".cambrian", ".json", ".toml", ".csv", ".png", ".mp4", ".gif", ".apng", ".md"};
+    constexpr std::array<std::string_view, 10> kEndings = {
+        ".cambrian", ".json", ".toml", ".csv", ".png", ".mp4", ".gif", ".apng", ".html", ".md"};
     std::error_code unknown;
     const std::string ending = path.extension().string();
     const bool like_file = std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();

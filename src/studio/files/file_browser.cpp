@@ -19,7 +19,7 @@ bool suits(std::string_view name, FileTask task) {
     // Cards may have lost the first part of their double ending when they were sent.
     return task == FileTask::kOpen &&
            (name.ends_with(".toml") || name.ends_with(".png") || name.ends_with(".apng") ||
-            name.ends_with(ending_of(FileTask::kSaveExperiment)));
+            name.ends_with(".html") || name.ends_with(ending_of(FileTask::kSaveExperiment)));
 }
 
 }  // namespace

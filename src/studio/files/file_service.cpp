@@ -2,6 +2,7 @@
 
 #include "core/files/file_io.h"
 #include "persist/creature/creature_card.h"
+#include "persist/creature/page_document.h"
 #include "persist/creature/png_file.h"
 #include "persist/experiment/file_dimensions.h"
 #include "persist/preserve/preserve_file.h"
@@ -41,7 +42,8 @@ FileEvent load_with(const EvolutionKinds& kinds, const std::filesystem::path& pa
     if (name.ends_with(".toml")) {
         return loaded_settings(path, kinds);
     }
-    if (name.ends_with(".json") || name.ends_with(".apng") || cambrian::is_card_name(path)) {
+    if (name.ends_with(".json") || name.ends_with(".apng") || name.ends_with(kPageEnding) ||
+        cambrian::is_card_name(path)) {
         auto document = load_creature(path, kinds);
         if (document) return CreatureLoaded{path, std::move(*document)};
         return FileFailed{path, document.error().message, true};
@@ -61,7 +63,8 @@ FileEvent load_with(const EvolutionKinds& kinds, const std::filesystem::path& pa
     return FileFailed{path,
                       path.string() +
                           " is not a file the studio opens; expected *.creature.json, a card "
-                          "*.png, an experiment or a preserve *.cambrian, or settings *.toml",
+                          "*.png, a page *.html, an experiment or a preserve *.cambrian, or "
+                          "settings *.toml",
                       true};
 }
 
