@@ -24,7 +24,7 @@ INSPECTOR_TABS = ["Creature", "Brain", "Genotype", "Ancestry", "Energy"]
 PLOTS = ["fitness", "diversity", "kinds", "lines", "parts", "neurons", "trials", "invalid"]
 TOUR_STEPS = 5
 KEEPS_PICTURES = "CAMBRIAN_KEEP_LOOKS" in os.environ
-MOST_PAGES = 20  # pages of the experiment panel
+MOST_PAGES = 24  # pages of the experiment panel
 # Panels, backgrounds of controls, and parts of a row that has its own name.
 NOT_CONTROLS = ("panel ", "viewport", "world", "tile ", "cell ", "shelf", "##")
 
