@@ -121,15 +121,14 @@ void SpaceView::place_camera(const FrameContext& frame, const SceneCanvas& canva
     add_corners(corners, creature.phenotype(), creature.motion().poses());
     if (std::exchange(sides_seen_, frame.viewer.sides_asked) != frame.viewer.sides_asked)
         look_from(frame.viewer.side);
+    if (changed && frame.view.follow) orbit_.target = center;
     const double share = orbit_.share_of(corners, viewport);
     // A new creature keeps the distance, so that sizes can be compared, unless it would not be
     // visible.
     if (fit || (changed && (share > 0.8 || share < 0.2))) {
         orbit_.fit(corners, kFitBodyShare, viewport);
         if (frame.view.follow) orbit_.target = center;
-    } else if (frame.view.follow && changed) {
-        orbit_.target = center;
-    } else if (frame.view.follow) {
+    } else if (frame.view.follow && !changed) {
         Vec3 wanted = center;
         wanted.y() = orbit_.target.y() + kHeightShare * (center.y() - orbit_.target.y());
         orbit_.approach(wanted, static_cast<double>(ImGui::GetIO().DeltaTime), kOrbitLag,
