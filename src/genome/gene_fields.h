@@ -43,6 +43,8 @@ using namespace gene_range;
 constexpr FieldRule plain(const char* name, const char* key, const char* help) {
     return {.name = name, .key = key, .help = help};
 }
+// A row of the table has a word or a number for each column.
+// NOLINTBEGIN(readability-function-size)
 constexpr FieldRule number(const char* name, const char* key, double low, double high,
                            double fallback, GeneStep step, FounderDraw founders, const char* unit,
                            const char* help) {
@@ -54,6 +56,7 @@ constexpr FieldRule circle(const char* name, const char* key, double low, double
                            const char* help) {
     return {name, key, low, high, 0.0, true, step, founders, unit, false, help};
 }
+// NOLINTEND(readability-function-size)
 
 inline constexpr FounderDraw kWidthDraw = {.least = &FounderSettings::min_width,
                                            .most = &FounderSettings::max_width};

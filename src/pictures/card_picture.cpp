@@ -20,9 +20,9 @@ constexpr double kStripShare = 0.82;
 constexpr int kStripPoses = 5;
 
 // Maps the usual card, scaled and centred, to a card of any size.
-class CardSpace {
+class CardRoom {
 public:
-    explicit CardSpace(const PictureCanvas& canvas)
+    explicit CardRoom(const PictureCanvas& canvas)
         : unit(std::min(canvas.width() / static_cast<double>(kCardWidth),
                         canvas.height() / static_cast<double>(kCardHeight))),
           left_(0.5 * (canvas.width() - unit * kCardWidth)),
@@ -60,7 +60,7 @@ std::vector<Fact> facts_of(const Subject& subject) {
     return facts;
 }
 
-void add_heading(PictureCanvas& canvas, const CardSpace& at, const Subject& subject,
+void add_heading(PictureCanvas& canvas, const CardRoom& at, const Subject& subject,
                  const Palette& palette) {
     const double unit = at.unit;
     const Ink name{Typeface::kStrong, 58.0 * unit, palette.text};
@@ -78,7 +78,7 @@ void add_heading(PictureCanvas& canvas, const CardSpace& at, const Subject& subj
                    color_of_hue(subject.hue(), 0.70, 0.12));
 }
 
-void add_facts(PictureCanvas& canvas, const CardSpace& at, const Subject& subject,
+void add_facts(PictureCanvas& canvas, const CardRoom& at, const Subject& subject,
                const Palette& palette) {
     const std::vector<Fact> facts = facts_of(subject);
     const Ink value{Typeface::kStrong, 34.0 * at.unit, palette.text};
@@ -92,7 +92,7 @@ void add_facts(PictureCanvas& canvas, const CardSpace& at, const Subject& subjec
     }
 }
 
-void add_strip(PictureCanvas& canvas, const CardSpace& at, const Subject& subject,
+void add_strip(PictureCanvas& canvas, const CardRoom& at, const Subject& subject,
                const Palette& palette) {
     constexpr double gap = 12.0;
     constexpr double height = 190.0;
@@ -121,7 +121,7 @@ const char* foot_of(const Subject& subject, bool moving) {
                : "The creature is inside: open this picture to see it move";
 }
 
-void add_foot(PictureCanvas& canvas, const CardSpace& at, const char* words,
+void add_foot(PictureCanvas& canvas, const CardRoom& at, const char* words,
               const Palette& palette) {
     const Ink strong{Typeface::kStrong, 21.0 * at.unit, palette.muted};
     const Ink small{Typeface::kRegular, 21.0 * at.unit, palette.muted};
@@ -131,7 +131,7 @@ void add_foot(PictureCanvas& canvas, const CardSpace& at, const char* words,
 
 void add_card(PictureCanvas& canvas, const Subject& subject, const Palette& palette,
               const Moment& moment, const char* foot) {
-    const CardSpace at(canvas);
+    const CardRoom at(canvas);
     canvas.clear(palette.window);
     const Area portrait = at.area({kCardMargin, kCardMargin, kCardWidth - 2.0 * kCardMargin, 650});
     MomentStyle style{

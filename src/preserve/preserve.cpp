@@ -98,7 +98,7 @@ Result<std::uint64_t> Preserve::intervene(Intervention asked) {
     if (asked.what == intervention::kRest) {
         rest();
     } else {
-        const Result<std::uint64_t> number = carry_out(asked, world_, population_);
+        Result<std::uint64_t> number = carry_out(asked, world_, population_);
         if (!number) return number;
         asked.number = *number;
     }

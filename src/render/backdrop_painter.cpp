@@ -22,8 +22,8 @@ constexpr int kTileWidth = 1024;    // texels of a tile of ground
 constexpr int kTileHeight = 512;
 constexpr int kParts = 4;  // of each of sky, finished sky and tile
 constexpr int kRidges = 3;
-constexpr int kSteps = 3 * kParts + kRidges;  // in which a scenery is painted
-constexpr double kTileMetres = 4.0;           // width of a tile, or this times a power of two
+constexpr int kPaintingSteps = 3 * kParts + kRidges;  // in which a scenery is painted
+constexpr double kTileMetres = 4.0;  // width of a tile, or this times a power of two
 
 int rounded_up(int value, int step) {
     return (value + step - 1) / step * step;
@@ -197,7 +197,8 @@ BackdropPainter::Scenery& BackdropPainter::scenery_for(const BackdropRecipe& rec
 }
 
 void BackdropPainter::bake(Scenery& scenery, Baking baking) {
-    const int last = baking == Baking::kAtOnce ? kSteps : std::min(kSteps, scenery.steps + 1);
+    const int last =
+        baking == Baking::kAtOnce ? kPaintingSteps : std::min(kPaintingSteps, scenery.steps + 1);
     if (scenery.steps >= last) return;
     const KeptFramebuffers kept;
     glDisable(GL_SCISSOR_TEST);
@@ -338,7 +339,7 @@ void BackdropPainter::draw(const BackdropRecipe& recipe, const Camera& camera,
     glEnable(GL_SCISSOR_TEST);
     Scenery& scenery = scenery_for(recipe, target);
     bake(scenery, baking);
-    const bool unfinished = scenery.steps < kSteps;
+    const bool unfinished = scenery.steps < kPaintingSteps;
     unfinished_ = unfinished_ || unfinished;
     const int surface = recipe.has_ground ? surface_of(camera, target) : 0;
     const bool ground_seen = !unfinished && scenery.tile && surface > 0;

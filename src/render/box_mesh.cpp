@@ -11,12 +11,12 @@ namespace {
 constexpr double kEighth = 0.7853981633974483;  // of a turn, rad
 
 // A line of vertices across a face, from the middle of one edge to the middle of the other.
-struct Row {
+struct MeshRow {
     double corner;
     double angle;  // rad, away from the face's normal
 };
 
-Row row_of(int index, int steps) {
+MeshRow row_of(int index, int steps) {
     if (index <= steps) return {-1.0, -kEighth * (1.0 - static_cast<double>(index) / steps)};
     return {1.0, kEighth * static_cast<double>(index - steps - 1) / steps};
 }
@@ -28,8 +28,8 @@ void add_face(BoxMesh& mesh, int axis, int sign, int steps) {
     const auto first = static_cast<unsigned>(mesh.vertices.size());
     for (int i = 0; i < side; ++i) {
         for (int j = 0; j < side; ++j) {
-            const Row across = row_of(i, steps);
-            const Row along = row_of(j, steps);
+            const MeshRow across = row_of(i, steps);
+            const MeshRow along = row_of(j, steps);
             Vec3 normal = Vec3::Zero();
             normal[axis] = sign;
             normal[u] = std::tan(across.angle);

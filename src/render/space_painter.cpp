@@ -20,7 +20,7 @@ constexpr int kShadowSide = 96;    // texels
 constexpr int kGrainSide = 256;    // texels
 constexpr int kEdgeSteps = 2;      // of a quarter of a round edge, halved
 constexpr double kNearest = 0.04;  // of the target's distance
-constexpr double kFarthest = 400.0;
+constexpr double kFarPlane = 400.0;
 constexpr double kFloorReach = 120.0;  // distances of the target
 constexpr double kPenumbra = 0.30;     // width of a shadow's edge, in metres a metre of its height
 constexpr std::size_t kBeside = 8;     // boxes that may shade a solid
@@ -207,13 +207,13 @@ struct SpacePainter::Seen {
         camera.pixels_per_metre *= frame.samples;
         eye = camera.distance() * camera.back;
         const double near = kNearest * camera.distance();
-        const double far = kFarthest * camera.distance();
+        const double far = kFarPlane * camera.distance();
         const double focal = 2.0 * camera.pixels_per_metre * camera.distance();
         const Vec3 x = focal / width * camera.right;
         const Vec3 y = focal / height * camera.up;
         const double steep = (far + near) / (far - near);
         for (int k = 0; k < 3; ++k) {
-            const auto column = static_cast<std::size_t>(4 * k);
+            const auto column = 4 * static_cast<std::size_t>(k);
             view[column] = static_cast<float>(x[k]);
             view[column + 1] = static_cast<float>(y[k]);
             view[column + 2] = static_cast<float>(-steep * camera.back[k]);
@@ -230,7 +230,7 @@ struct SpacePainter::Seen {
 class SpacePainter::Objects {
 public:
     Objects() : mesh_(rounded_box(kEdgeSteps)) {
-        glGenVertexArrays(1, &empty);
+        glGenVertexArrays(1, &empty_);
         glGenVertexArrays(1, &solids_);
         glGenVertexArrays(1, &marks_);
         glGenBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
@@ -259,7 +259,7 @@ public:
     ~Objects() {
         glDeleteTextures(1, &grain);
         glDeleteBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
-        for (const GLuint array : {empty, solids_, marks_})
+        for (const GLuint array : {empty_, solids_, marks_})
             glDeleteVertexArrays(1, &array);
     }
     Objects(const Objects&) = delete;
@@ -294,13 +294,13 @@ public:
 
 private:
     void draw_plain(GLenum form, GLsizei corners) const {
-        glBindVertexArray(empty);
+        glBindVertexArray(empty_);
         glDrawArrays(form, 0, corners);
         glBindVertexArray(0);
     }
 
     BoxMesh mesh_;
-    GLuint empty = 0;
+    GLuint empty_ = 0;
     GLuint solids_ = 0;
     GLuint marks_ = 0;
     std::array<GLuint, 5> buffers_ = {};
@@ -314,13 +314,13 @@ Result<SpacePainter> SpacePainter::create() {
         shaders.push_back(std::move(*shader));
         return {};
     };
-    for (Status status : {add(compile({kSkyVertex}, {kAround, kSkyFragment})),
-                          add(compile({kFloorVertex}, {kAround, kFloorFragment})),
-                          add(compile({kShadowVertex}, {kBoxes, kShadowFragment})),
-                          add(compile({kSolidVertex}, {kAround, kBoxes, kSolidFragment})),
-                          add(compile({kSolidVertex}, {kAround, kInkFragment})),
-                          add(compile({kMarkVertex}, {kMarkFragment})),
-                          add(compile({kShadowVertex}, {kSmoothFragment}))}) {
+    for (const Status& status : {add(compile({kSkyVertex}, {kAround, kSkyFragment})),
+                                 add(compile({kFloorVertex}, {kAround, kFloorFragment})),
+                                 add(compile({kShadowVertex}, {kBoxes, kShadowFragment})),
+                                 add(compile({kSolidVertex}, {kAround, kBoxes, kSolidFragment})),
+                                 add(compile({kSolidVertex}, {kAround, kInkFragment})),
+                                 add(compile({kMarkVertex}, {kMarkFragment})),
+                                 add(compile({kShadowVertex}, {kSmoothFragment}))}) {
         if (!status) return status.error();
     }
     return SpacePainter(std::move(shaders));

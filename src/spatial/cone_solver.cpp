@@ -39,6 +39,37 @@ void keep_in_circle(double radius, double* tangent) {
         tangent[k] *= radius / length;
 }
 
+// Solves a x = x by elimination with pivots from the column. Returns false if the matrix is
+// singular.
+bool eliminate(int size, double* a, double* x) {
+    for (int i = 0; i < size; ++i) {
+        int pivot = i;
+        for (int j = i + 1; j < size; ++j) {
+            if (std::fabs(a[j * size + i]) > std::fabs(a[pivot * size + i])) pivot = j;
+        }
+        if (!(std::fabs(a[pivot * size + i]) > 0.0)) return false;
+        if (pivot != i) {
+            std::swap_ranges(a + i * size + i, a + (i + 1) * size, a + pivot * size + i);
+            std::swap(x[i], x[pivot]);
+        }
+        const double inverse = 1.0 / a[i * size + i];
+        for (int j = i + 1; j < size; ++j) {
+            const double factor = a[j * size + i] * inverse;
+            if (factor == 0.0) continue;
+            for (int k = i + 1; k < size; ++k)
+                a[j * size + k] -= factor * a[i * size + k];
+            x[j] -= factor * x[i];
+        }
+    }
+    for (int i = size - 1; i >= 0; --i) {
+        for (int k = i + 1; k < size; ++k)
+            x[i] -= a[i * size + k] * x[k];
+        x[i] /= a[i * size + i];
+        if (!std::isfinite(x[i])) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 ConeSolver::ConeSolver(int most_rows) {
@@ -89,6 +120,37 @@ void ConeSolver::compute_rates(const ConeProblem& problem, const double* p) {
             problem.bias[row] + sum_of(problem.matrix + row * n, p, n);
 }
 
+// Computes the residuals and derivatives of the two tangents of a contact that slips along z.
+void ConeSolver::linearize_slip(const ConeProblem& problem, const double* p, int first,
+                                const double (&z)[2]) {
+    const int n = problem.rows();
+    const double* scale = scale_.data();
+    const double rho = scale[first + 1];
+    const double length = length_of(z[0], z[1]);
+    const double radius =
+        problem.friction * (p[first] - scale[first] * rate_[static_cast<std::size_t>(first)]);
+    // Slip: (p_t - radius z / |z|) / rho.
+    const double way[2] = {z[0] / length, z[1] / length};
+    const double share = radius / length;
+    const double* normal_row = problem.matrix + first * n;
+    const double* tangent_rows = normal_row + n;
+    for (int k = 0; k < 2; ++k) {
+        const int row = first + 1 + k;
+        const double to[2] = {share * ((k == 0 ? 1.0 : 0.0) - way[k] * way[0]),
+                              share * ((k == 1 ? 1.0 : 0.0) - way[k] * way[1])};
+        const double pressed = way[k] * problem.friction / rho;
+        residual_[static_cast<std::size_t>(row)] = (p[row] - radius * way[k]) / rho;
+        double* derivative = jacobian_.data() + row * n;
+        for (int j = 0; j < n; ++j)
+            derivative[j] = pressed * scale[first] * normal_row[j] +
+                            (to[0] * tangent_rows[j] + to[1] * tangent_rows[n + j]);
+        derivative[first] -= pressed;
+        derivative[first + 1] -= to[0] / rho;
+        derivative[first + 2] -= to[1] / rho;
+        derivative[row] += 1.0 / rho;
+    }
+}
+
 // Computes the residuals of all rows and the derivatives of those that push. Returns the largest
 // residual.
 double ConeSolver::linearize(const ConeProblem& problem, const double* p) {
@@ -118,29 +180,7 @@ double ConeSolver::linearize(const ConeProblem& problem, const double* p) {
             turn_on(first + k);
         const double rho = scale[first + 1];
         const double z[2] = {p[first + 1] - rho * y[first + 1], p[first + 2] - rho * y[first + 2]};
-        const double radius = problem.friction * normal;
-        const double length = length_of(z[0], z[1]);
-        if (length <= radius) continue;
-        // Slip: (p_t - radius z / |z|) / rho.
-        const double way[2] = {z[0] / length, z[1] / length};
-        const double share = radius / length;
-        const double* normal_row = problem.matrix + first * n;
-        const double* tangent_rows = normal_row + n;
-        for (int k = 0; k < 2; ++k) {
-            const int row = first + 1 + k;
-            const double to[2] = {share * ((k == 0 ? 1.0 : 0.0) - way[k] * way[0]),
-                                  share * ((k == 1 ? 1.0 : 0.0) - way[k] * way[1])};
-            const double pressed = way[k] * problem.friction / rho;
-            residual[row] = (p[row] - radius * way[k]) / rho;
-            double* derivative = jacobian_.data() + row * n;
-            for (int j = 0; j < n; ++j)
-                derivative[j] = pressed * scale[first] * normal_row[j] +
-                                (to[0] * tangent_rows[j] + to[1] * tangent_rows[n + j]);
-            derivative[first] -= pressed;
-            derivative[first + 1] -= to[0] / rho;
-            derivative[first + 2] -= to[1] / rho;
-            derivative[row] += 1.0 / rho;
-        }
+        if (length_of(z[0], z[1]) > problem.friction * normal) linearize_slip(problem, p, first, z);
     }
     for (int row = 3 * problem.contacts; row < n; ++row) {
         if (p[row] - scale[row] * y[row] <= 0.0)
@@ -154,8 +194,8 @@ double ConeSolver::linearize(const ConeProblem& problem, const double* p) {
     return largest;
 }
 
-// Takes Newton's step: rows that are off lose their impulses, the others follow by elimination with
-// pivots from the column. Returns false if the matrix is singular.
+// Takes Newton's step: rows that are off lose their impulses, the others follow by elimination.
+// Returns false if the matrix is singular.
 bool ConeSolver::step(const ConeProblem& problem, double* p) {
     const int n = problem.rows();
     const int size = static_cast<int>(pushing_.size());
@@ -172,31 +212,7 @@ bool ConeSolver::step(const ConeProblem& problem, double* p) {
         for (int j = 0; j < size; ++j)
             a[i * size + j] = derivative[rows[j]];
     }
-    for (int i = 0; i < size; ++i) {
-        int pivot = i;
-        for (int j = i + 1; j < size; ++j) {
-            if (std::fabs(a[j * size + i]) > std::fabs(a[pivot * size + i])) pivot = j;
-        }
-        if (!(std::fabs(a[pivot * size + i]) > 0.0)) return false;
-        if (pivot != i) {
-            std::swap_ranges(a + i * size + i, a + (i + 1) * size, a + pivot * size + i);
-            std::swap(x[i], x[pivot]);
-        }
-        const double inverse = 1.0 / a[i * size + i];
-        for (int j = i + 1; j < size; ++j) {
-            const double factor = a[j * size + i] * inverse;
-            if (factor == 0.0) continue;
-            for (int k = i + 1; k < size; ++k)
-                a[j * size + k] -= factor * a[i * size + k];
-            x[j] -= factor * x[i];
-        }
-    }
-    for (int i = size - 1; i >= 0; --i) {
-        for (int k = i + 1; k < size; ++k)
-            x[i] -= a[i * size + k] * x[k];
-        x[i] /= a[i * size + i];
-        if (!std::isfinite(x[i])) return false;
-    }
+    if (!eliminate(size, a, x)) return false;
     for (int row = 0; row < n; ++row) {
         if (is_off_[static_cast<std::size_t>(row)] != 0) p[row] = 0.0;
     }

@@ -38,6 +38,8 @@ public:
 private:
     void compute_rates(const ConeProblem& problem, const double* impulse);
     double linearize(const ConeProblem& problem, const double* impulse);
+    void linearize_slip(const ConeProblem& problem, const double* impulse, int first,
+                        const double (&z)[2]);
     bool step(const ConeProblem& problem, double* impulse);
 
     std::vector<double> scale_;     // of each row, 1 / a bound of its block of the matrix

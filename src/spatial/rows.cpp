@@ -95,7 +95,7 @@ void Change::add(const Model& model, const Response& response, const Push& push)
 }
 
 Rows::Rows(const Model& model) : solver_(3 * most_contacts(model) + 2 * model.degree_count) {
-    const auto contacts = static_cast<std::size_t>(3 * most_contacts(model));
+    const std::size_t contacts = 3 * static_cast<std::size_t>(most_contacts(model));
     const std::size_t rows = contacts + 2 * static_cast<std::size_t>(model.degree_count);
     stops_.reserve(rows - contacts);
     direction_.resize(contacts);

@@ -101,12 +101,12 @@ public:
 private:
     static std::size_t first_row(int contact) { return 3 * static_cast<std::size_t>(contact); }
     int row_count() const { return 3 * contacts_.count + static_cast<int>(stops_.size()); }
-    double& at(int row, int column) {
-        return matrix_[static_cast<std::size_t>(row * row_count() + column)];
+    std::size_t index_of(int row, int column) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(row_count()) +
+               static_cast<std::size_t>(column);
     }
-    double at(int row, int column) const {
-        return matrix_[static_cast<std::size_t>(row * row_count() + column)];
-    }
+    double& at(int row, int column) { return matrix_[index_of(row, column)]; }
+    double at(int row, int column) const { return matrix_[index_of(row, column)]; }
     bool add_stops(const Moment& moment, double length);
     void build(const Model& model, const Evaluation& middle, double tangent_softness);
     void eliminate(const Model& model, const Evaluation& middle, int row);

@@ -127,7 +127,7 @@ public:
             if (options_.quit_after > 0.0 && now > options_.quit_after) break;
         }
         controller_.keep_memory();
-        const std::optional<SpaceCrossing> crossing = controller_.files().crossing();
+        std::optional<SpaceCrossing> crossing = controller_.files().crossing();
         if (crossing) {
             controller_.feedback().log().write("crossing", {{"path", crossing->file.string()}});
             return crossing;

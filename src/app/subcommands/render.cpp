@@ -123,8 +123,7 @@ Status check_options(const RenderOptions& options, const Product& product) {
     const Size size = parse_size(options.size).value_or(usual_size(product));
     if (product.format != nullptr) {
         const double rate = options.frames_a_second.value_or(usual_rate(product));
-        const Status possible =
-            check_clip(*product.format, options.out, size.width, size.height, rate);
+        Status possible = check_clip(*product.format, options.out, size.width, size.height, rate);
         if (!possible) return possible;
     }
     if (product.kind != ProductKind::kSheet && options.poses)

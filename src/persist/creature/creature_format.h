@@ -200,6 +200,24 @@ void describe_number(Archive& archive, Gene& gene, Number& number, const FieldRu
     archive.real(rule.key, number, rule);
 }
 
+template <class Archive, class Gene>
+void describe_fields(Archive& archive, Gene& gene, std::size_t node_count, const KindNames& names);
+
+// Describes the edges of a node, or its further degrees of freedom.
+template <class Archive, class Genes>
+void describe_inner(Archive& archive, const char* key, Genes& genes, std::size_t node_count,
+                    const KindNames& names) {
+    constexpr bool kEdges = std::is_same_v<std::remove_const_t<Genes>, std::vector<EdgeGene>>;
+    const auto describe = [&](Archive& inner, auto& item) {
+        inner.type(kEdges ? "edge" : "degree");
+        describe_fields(inner, item, node_count, names);
+    };
+    if (kEdges)
+        archive.list(key, genes, 0, gene_range::kMaxEdges, JsonLayout::kCompact, describe);
+    else
+        archive.optional_list(key, genes, kMostDegrees - 1, JsonLayout::kCompact, describe);
+}
+
 // Describes the fields of a node, of an edge or of a degree of freedom by the types of their
 // values.
 template <class Archive, class Gene>
@@ -233,15 +251,7 @@ void describe_fields(Archive& archive, Gene& gene, std::size_t node_count, const
         } else if constexpr (std::is_same_v<Value, std::vector<NeuronGene>>) {
             describe_neurons(archive, key, value, SourceScope::kPart, names);
         } else {
-            const bool edges = std::is_same_v<Value, std::vector<EdgeGene>>;
-            const auto describe = [&](Archive& inner, auto& item) {
-                inner.type(edges ? "edge" : "degree");
-                describe_fields(inner, item, node_count, names);
-            };
-            if (edges)
-                archive.list(key, value, 0, gene_range::kMaxEdges, JsonLayout::kCompact, describe);
-            else
-                archive.optional_list(key, value, kMostDegrees - 1, JsonLayout::kCompact, describe);
+            describe_inner(archive, key, value, node_count, names);
         }
     });
 }

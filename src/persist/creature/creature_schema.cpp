@@ -93,7 +93,7 @@ std::string meaning_of(std::string_view type, std::string_view key) {
         kMeanings.begin(), kMeanings.end(),
         [&](const Meaning& meaning) { return meaning.key == key || meaning.key == of_type; });
     if (found != kMeanings.end()) return std::string(found->text);
-    const std::string meaning = meaning_among_fields_of<Genome, NodeGene, EdgeGene, InputGene>(key);
+    std::string meaning = meaning_among_fields_of<Genome, NodeGene, EdgeGene, InputGene>(key);
     CAMBRIAN_ASSERT(!meaning.empty(), "every key has a meaning");
     return meaning;
 }

@@ -27,7 +27,7 @@ namespace {
 constexpr std::size_t kMaxPart = 16'000'000;  // bytes of a part of a page
 constexpr std::uint64_t kTicksAFrame = 3;     // of a recorded motion
 constexpr std::uint64_t kMostTicks = 7'200;   // that are recorded
-constexpr double kFarthest = 32'000.0;        // of the numbers of a recorded motion
+constexpr double kRecordedRange = 32'000.0;   // of the numbers of a recorded motion
 constexpr double kTravelled = 0.3;            // m; creatures that move less have no direction
 
 std::string base64(std::string_view bytes) {
@@ -103,9 +103,9 @@ std::string little_endian(const Recording& recording, double unit) {
     std::string bytes;
     bytes.reserve(2 * recording.numbers.size());
     for (std::size_t i = 0; i < recording.numbers.size(); ++i) {
-        const double scaled = recording.numbers[i] * (i % 7 < 3 ? 1.0 / unit : kFarthest);
-        const auto number = static_cast<std::uint16_t>(
-            static_cast<std::int16_t>(std::clamp(std::round(scaled), -kFarthest, kFarthest)));
+        const double scaled = recording.numbers[i] * (i % 7 < 3 ? 1.0 / unit : kRecordedRange);
+        const auto number = static_cast<std::uint16_t>(static_cast<std::int16_t>(
+            std::clamp(std::round(scaled), -kRecordedRange, kRecordedRange)));
         bytes += static_cast<char>(number & 0xffU);
         bytes += static_cast<char>(number >> 8U);
     }
@@ -141,7 +141,7 @@ Result<PlacedCreature> place(const PageCreature& creature, std::size_t number,
                 document.settings().world.scene));
     const Result<Recording> recording = record(document, phenotype, kinds.creature);
     if (!recording) return recording.error();
-    const double unit = recording->farthest / kFarthest;
+    const double unit = recording->farthest / kRecordedRange;
     PlacedCreature placed;
     placed.id = std::string(kCreatureElement);
     if (number > 0) placed.id += fmt::format("-{}", number + 1);

@@ -12,8 +12,8 @@
 namespace cambrian {
 namespace {
 
-constexpr double kLightest = 1e-6;   // kg; least mass, since its logarithm is taken
-constexpr double kLeastStir = 0.01;  // body lengths; smaller motion is not visible
+constexpr double kLeastWeighed = 1e-6;  // kg; least mass, since its logarithm is taken
+constexpr double kLeastStir = 0.01;     // body lengths; smaller motion is not visible
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 double in_body_lengths(double length, const EvaluationResult& result) {
@@ -104,7 +104,7 @@ private:
 }  // namespace
 
 GridDescriptor describe_for_grid(const EvaluationResult& result) {
-    return {static_cast<double>(result.parts), logarithm(std::fmax(result.mass, kLightest)),
+    return {static_cast<double>(result.parts), logarithm(std::fmax(result.mass, kLeastWeighed)),
             in_body_lengths(result.behavior.settled_height, result),
             result.behavior.mean_joint_frequency, in_body_lengths(result.behavior.travel, result)};
 }

@@ -87,7 +87,7 @@ constexpr const char* kWithoutFfmpeg =
 
 // Returns whether a program can be found as posix_spawnp() does it.
 bool is_installed(const char* program) {
-    const char* const path = std::getenv("PATH");
+    const char* const path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
     std::string_view left = path == nullptr ? "/bin:/usr/bin" : path;
     while (!left.empty()) {
         const std::string folder(left.substr(0, left.find(':')));

@@ -21,7 +21,7 @@ struct SpaceManner {
 void add_being(SpaceFrame& frame, const CreatureLook& look, const SpaceManner& manner);
 
 // Whether a body has a depth.
-inline bool in_space(const Phenotype& phenotype) {
+inline bool lives_in_space(const Phenotype& phenotype) {
     return phenotype.parts.front().thickness > 0.0;
 }
 

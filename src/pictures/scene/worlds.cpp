@@ -11,7 +11,7 @@ namespace {
 constexpr double kWaterDrag = 0.5;        // kg/m^2, quadratic; the swimmers' is 1
 constexpr double kThickDrag = 1.0;        // N s/m^2, linear, in which a body swims as well
 constexpr double kSpaceDensity = 1000.0;  // of what settings in space have for 1 in the plane
-constexpr double kMoonGravity = 3.0;      // m/s^2
+constexpr double kFaintGravity = 3.0;     // m/s^2
 constexpr double kIceFriction = 0.2;      // coefficient
 constexpr double kLeastBladePixels = 3.0;
 
@@ -146,7 +146,7 @@ DrawnWorld ice() {
     return world;
 }
 
-DrawnWorld water() {
+DrawnWorld water_world() {
     DrawnWorld world;
     world.kind = WorldKind::kWater;
     paint_sky(world.recipe, {0x052338, 0x0E5670, 0x3FB2B6});
@@ -165,7 +165,7 @@ DrawnWorld water() {
 }
 
 DrawnWorld seabed() {
-    DrawnWorld world = water();
+    DrawnWorld world = water_world();
     world.kind = WorldKind::kSeabed;
     paint_ground(world.recipe, SoilForm::kSand, {0xB9A778, 0x8A7C5C, 0x2A2E34, 0xC8B890});
     return world;
@@ -206,7 +206,7 @@ DrawnWorld night() {
 }
 
 DrawnWorld night_sea() {
-    DrawnWorld world = water();
+    DrawnWorld world = water_world();
     world.kind = WorldKind::kNightSea;
     paint_sky(world.recipe, {0x020B16, 0x05202F, 0x0C4354});
     world.recipe.shafts = 0.35F;
@@ -392,7 +392,7 @@ WorldKind world_kind_of(const Environment& environment) {
     }
     if (drags) return environment.has_ground ? WorldKind::kSeabed : WorldKind::kWater;
     if (!environment.has_ground) return WorldKind::kAir;
-    if (environment.gravity < kMoonGravity) return WorldKind::kMoon;
+    if (environment.gravity < kFaintGravity) return WorldKind::kMoon;
     return environment.friction < kIceFriction ? WorldKind::kIce : WorldKind::kMeadow;
 }
 
@@ -401,7 +401,7 @@ const DrawnWorld& drawn_world(WorldKind kind, Daytime daytime) {
                                                        meadow_at_dusk()};
     static const DrawnWorld kIceWorld = ice();
     static const DrawnWorld kMoonWorld = moon();
-    static const DrawnWorld kWaterWorld = water();
+    static const DrawnWorld kWaterWorld = water_world();
     static const DrawnWorld kSeabedWorld = seabed();
     static const DrawnWorld kAirWorld = air();
     static const DrawnWorld kNightWorld = night();

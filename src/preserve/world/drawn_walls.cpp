@@ -6,8 +6,8 @@
 namespace cambrian {
 namespace {
 
-constexpr double kHalfThickness = 0.1;  // m; a mouth reaches no food behind a wall
-constexpr double kFarthest = 4.0;       // m; no body gets farther in a tick
+constexpr double kHalfThickness = 0.1;   // m; a mouth reaches no food behind a wall
+constexpr double kFarthestInTick = 4.0;  // m; no body gets farther in a tick
 
 Rectangle rectangle_of(const FixedBox& box) {
     return {box.center, box.axis, box.half_length, box.half_width};
@@ -44,7 +44,7 @@ void DrawnWalls::visit(const Bounds& at, Visit visit) const {
 }
 
 std::vector<FixedBox> DrawnWalls::boxes_around(const Bounds& bounds) const {
-    const Vec3 margin(kFarthest, kFarthest, 0.0);
+    const Vec3 margin(kFarthestInTick, kFarthestInTick, 0.0);
     std::vector<FixedBox> found;
     visit({bounds.low - margin, bounds.high + margin}, [&](std::size_t index, const Vec3& shift) {
         if (found.size() == static_cast<std::size_t>(kMostFixedBoxes)) return;

@@ -85,7 +85,7 @@ TilePictures::Key TilePictures::key_of(const TileWish& wish) {
     }
     return {hash.bits(), wish.line,
             wish.hue,    wish.width,
-            wish.height, in_space(wish.phenotype) && ui().look == LookMode::kMechanics};
+            wish.height, lives_in_space(wish.phenotype) && ui().look == LookMode::kMechanics};
 }
 
 // Returns a page with a free cell of this size: one there is, a new one, or the one that was used
@@ -135,7 +135,7 @@ void TilePictures::draw(const TileWish& wish, std::span<const Pose> poses, const
                         const PaintedTexture& texture, const PixelRect& target) {
     CreatureLook look{wish.phenotype, poses};
     look.hue = wish.hue;
-    if (in_space(wish.phenotype)) return draw_in_space(wish, look, camera, texture, target);
+    if (lives_in_space(wish.phenotype)) return draw_in_space(wish, look, camera, texture, target);
     if (wish.moment != nullptr) {
         look.character = wish.moment->character;
         look.stretches = wish.moment->stretches;

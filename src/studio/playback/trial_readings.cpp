@@ -8,7 +8,7 @@
 namespace cambrian {
 namespace {
 
-constexpr std::uint64_t kTicksADot = 4;   // ticks between two points of the trail
+constexpr std::uint64_t kDotTicks = 4;    // ticks between two points of the trail
 constexpr std::size_t kTraceLength = 90;  // points of the trail
 
 constexpr std::size_t kMostScuffs = 50'000;
@@ -49,7 +49,7 @@ void TrialReadings::add(const Trial& trial, std::size_t outputs) {
     remember_body(trial);
     if (!trial.settling() && tick == 0) posture_ = poses_;
     if (trial.settling() || tick == 0) return;
-    if (tick % kTicksADot == 0) {
+    if (tick % kDotTicks == 0) {
         dots_in_space_.push_back(trial.scene().center_of_mass());
         dots_.emplace_back(dots_in_space_.back().head<2>());
     }
@@ -62,7 +62,7 @@ void TrialReadings::add(const Trial& trial, std::size_t outputs) {
 
 void TrialReadings::go_back(const Trial& trial) {
     signals_.clear();
-    dots_.resize(std::min<std::size_t>(dots_.size(), test_tick(trial) / kTicksADot));
+    dots_.resize(std::min<std::size_t>(dots_.size(), test_tick(trial) / kDotTicks));
     dots_in_space_.resize(dots_.size());
     while (!scuffs_.empty() && scuffs_.back().time > trial.time())
         scuffs_.pop_back();

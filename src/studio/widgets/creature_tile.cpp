@@ -35,7 +35,7 @@ Bounds bounds_at_rest(const BodyPlan& plan) {
 bool draw_living_tile(ImDrawList& list, const Rect& area, const Phenotype& phenotype, double hue,
                       std::uint64_t line, const TileMoment* moment = nullptr) {
     if (!ui().tile_of) return false;
-    if (ui().look == LookMode::kMechanics && !in_space(phenotype)) return false;
+    if (ui().look == LookMode::kMechanics && !lives_in_space(phenotype)) return false;
     const ImVec2 low = {std::floor(area.x), std::floor(area.y)};
     const int width = static_cast<int>(area.width);
     const int height = static_cast<int>(area.height);

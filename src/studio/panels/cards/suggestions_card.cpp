@@ -18,7 +18,7 @@ constexpr float kSuggestionsHeight = 264.0F;
 constexpr double kNewcomers = 0.2;  // share of the next generation
 constexpr double kMostMutation = 8.0;
 constexpr int kMostCreatures = 20'000;
-constexpr double kMoonGravity = 1.62;   // m/s^2
+constexpr double kLunarGravity = 1.62;  // m/s^2
 constexpr double kEarthGravity = 9.81;  // m/s^2
 
 void change(const FrameContext& frame, Requests& out, const char* field,
@@ -45,11 +45,11 @@ bool always_fits(const FrameContext&) {
 }
 bool on_earth(const FrameContext& frame) {
     const Environment& world = draft_of(frame).world.environment;
-    return world.has_ground && world.gravity > kMoonGravity;
+    return world.has_ground && world.gravity > kLunarGravity;
 }
 bool on_moon(const FrameContext& frame) {
     const Environment& world = draft_of(frame).world.environment;
-    return world.has_ground && world.gravity <= kMoonGravity;
+    return world.has_ground && world.gravity <= kLunarGravity;
 }
 
 // Something to change when evolution is stuck.
@@ -97,7 +97,7 @@ const std::array kSuggestions = {
     Suggestion{"To the Moon", "The same creatures go on in the Moon's gravity.", on_earth,
                [](const FrameContext& frame, Requests& out) {
                    change(frame, out, "environment.gravity", [](ExperimentSettings& s) {
-                       s.world.environment.gravity = kMoonGravity;
+                       s.world.environment.gravity = kLunarGravity;
                    });
                }},
     Suggestion{"To the Earth", "The same creatures go on in the Earth's gravity.", on_moon,

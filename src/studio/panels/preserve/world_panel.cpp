@@ -22,7 +22,7 @@ constexpr double kChaseLag = 0.25;     // s; time constant with which the camera
 constexpr double kChaseMargin = 0.06;  // share of the viewport free around a followed creature
 constexpr double kLeastSight = 3.0;    // m; least height of a meadow that is in view
 constexpr double kWorldShare = 0.97;   // share of the viewport filled by the world
-constexpr float kHeadHeight = 36.0F;   // of the words above it, in units of 1/96 inch
+constexpr float kWordsAbove = 36.0F;   // of the words above it, in units of 1/96 inch
 constexpr double kPickPixels = 12.0;   // distance at which a click picks a creature
 constexpr float kPanStep = 60.0F;      // a press of an arrow key, in units of 1/96 inch
 
@@ -109,7 +109,7 @@ void WorldPanel::place_camera(const FrameContext& frame) {
     Camera& camera = canvas_.camera;
     const WorldArea& area = preserve.picture.area;
     if (std::exchange(fits_seen_, preserve.fits_asked) != preserve.fits_asked) {
-        const auto words = static_cast<double>(px(kHeadHeight));
+        const auto words = static_cast<double>(px(kWordsAbove));
         const Viewport size = canvas_.size();
         const Viewport room = {size.width, std::max(1.0, size.height - 2.0 * words)};
         const bool near = preserve.near && !preserve.picture.residents.empty();

@@ -55,8 +55,14 @@ DegreePlace place_of(const OverlayScene& over, const JointDegree& degree) {
     return place;
 }
 
-void add_arc(SceneFrame& frame, const SpaceCamera& camera, const DegreePlace& joint, double radius,
-             double from, double to, double pixels, const Color& color) {
+// Part of a circle about a joint's axis.
+struct Arc {
+    double radius, from, to;  // m, rad, rad
+};
+
+void add_arc(SceneFrame& frame, const SpaceCamera& camera, const DegreePlace& joint, const Arc& arc,
+             double pixels, const Color& color) {
+    const auto [radius, from, to] = arc;
     const int pieces =
         std::max(1, static_cast<int>(std::ceil(kArcPieces * std::fabs(to - from) / kPi)));
     Vec3 before = joint.pivot + radius * turned(joint.needle, joint.axis, from);
@@ -117,7 +123,7 @@ void add_joint_limits(SceneFrame& frame, const SpaceCamera& camera, const Overla
             add_dot(frame, camera, joint.pivot, 3.0, over.palette.accent);
             continue;
         }
-        add_arc(frame, camera, joint, joint.radius, low, high, 2.0, color);
+        add_arc(frame, camera, joint, {joint.radius, low, high}, 2.0, color);
         for (const double end : {low, high})
             add_line(frame, camera, joint.pivot,
                      joint.pivot + joint.radius * turned(joint.needle, joint.axis, end), 1.2,
@@ -141,7 +147,7 @@ void add_joint_torques(SceneFrame& frame, const SpaceCamera& camera, const Overl
             add_line(frame, camera, joint.pivot, tip, 4.0, color);
         } else {
             const double end = share * kFullTorqueTurn;
-            add_arc(frame, camera, joint, 0.85 * joint.radius, 0.0, end, 4.0, color);
+            add_arc(frame, camera, joint, {0.85 * joint.radius, 0.0, end}, 4.0, color);
             tip = joint.pivot + 0.85 * joint.radius * turned(joint.needle, joint.axis, end);
         }
         add_dot(frame, camera, tip, 5.0, color);
@@ -161,7 +167,7 @@ void add_sensor_readings(SceneFrame& frame, const SpaceCamera& camera, const Ove
                 add_line(frame, camera, joint.pivot - joint.coordinate * joint.axis, joint.pivot,
                          3.0, color);
             } else {
-                add_arc(frame, camera, joint, 0.7 * joint.radius, -joint.coordinate, 0.0, 3.0,
+                add_arc(frame, camera, joint, {0.7 * joint.radius, -joint.coordinate, 0.0}, 3.0,
                         color);
             }
             add_dot(frame, camera, joint.pivot, 3.6, color);

@@ -13,7 +13,7 @@ namespace cambrian {
 namespace {
 
 constexpr double kOrbitLag = 0.25;      // s; time constant with which the camera follows
-constexpr double kHeightShare = 0.3;    // of that speed, with which it follows up and down
+constexpr double kRiseShare = 0.3;      // of that speed, with which it follows up and down
 constexpr double kMostBehind = 0.30;    // of the view's height, by which it stays behind
 constexpr double kFitBodyShare = 0.46;  // of the view, filled by a body that is fit into it
 constexpr double kTrailPixels = 2.2;
@@ -130,7 +130,7 @@ void SpaceView::place_camera(const FrameContext& frame, const SceneCanvas& canva
         if (frame.view.follow) orbit_.target = center;
     } else if (frame.view.follow && !changed) {
         Vec3 wanted = center;
-        wanted.y() = orbit_.target.y() + kHeightShare * (center.y() - orbit_.target.y());
+        wanted.y() = orbit_.target.y() + kRiseShare * (center.y() - orbit_.target.y());
         orbit_.approach(wanted, static_cast<double>(ImGui::GetIO().DeltaTime), kOrbitLag,
                         kMostBehind * viewport.height / orbit_.seen(viewport).pixels_per_metre);
     }
