@@ -60,7 +60,11 @@ class StudioPanel(StudioTest):
         self.start(display)
         self.click("goal.behavior")
         self.wait_for("place", name="goal.behavior=walking")
-        display.act(["key", "Down"], ["key", "Down"], ["key", "Return"])
+        after = 0
+        for _ in range(2):
+            display.act(["key", "Down"])
+            _, after = self.wait_for("place", after=after, name="## keyboard focus")
+        display.act(["key", "Return"])
         self.wait_for("edited", field="goal.behavior")
         self.quit()
 

@@ -99,9 +99,9 @@ class StudioSpace(StudioTest):
         self.press("g")
         _, after = self.wait_for("generation", number=0)
         self.click("Three")
-        self.wait_for("crossing", after=after)
-        _, after = self.wait_for("started", after=after)
-        self.wait_for("founders", after=after)
+        _, after = self.wait_for("crossing", after=after)
+        self.wait_for("started", after=after)
+        self.wait_for("founders", after=after)  # before or after the first frame
         self.press("g")
         self.wait_for("generation", after=after, number=0)
         display.tool("key", "ctrl+n")
