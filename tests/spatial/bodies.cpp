@@ -24,8 +24,9 @@ BodyPlan one_solid(const Vec3& half_extents) {
 BodyPlan random_solid(RandomStream& random, int parts, double strength) {
     static const JointRegistry joints = spatial_scene_kind().joints;
     const auto half = [&random] {
-        return Vec3(random.uniform(0.1, 0.35), random.uniform(0.04, 0.1),
-                    random.uniform(0.04, 0.1));
+        // Braces, so that every compiler draws in this order.
+        return Vec3{random.uniform(0.1, 0.35), random.uniform(0.04, 0.1),
+                    random.uniform(0.04, 0.1)};
     };
     BodyPlan plan = one_solid(half());
     plan.parts.front().rest_pose.orientation = spatial::rotation_by(random_vector(random, 1.5));
@@ -37,8 +38,8 @@ BodyPlan random_solid(RandomStream& random, int parts, double strength) {
         part.half_extents = half();
         part.parent = parent;
         part.anchor_in_parent =
-            Vec3(from.half_extents.x(), random.uniform(-0.9, 0.9) * from.half_extents.y(),
-                 random.uniform(-0.9, 0.9) * from.half_extents.z());
+            Vec3{from.half_extents.x(), random.uniform(-0.9, 0.9) * from.half_extents.y(),
+                 random.uniform(-0.9, 0.9) * from.half_extents.z()};
         part.anchor_in_child = Vec3(-part.half_extents.x(), 0.0, 0.0);
         const Rotation turn = spatial::product(from.rest_pose.orientation,
                                                spatial::rotation_by(random_vector(random, 0.7)));

@@ -119,14 +119,14 @@ TEST_CASE("Boxes that tumble gain no energy and come to rest") {
     std::uint64_t fallbacks = 0;
     for (std::uint64_t box = 0; box < boxes; ++box) {
         RandomStream random(stream_seed({112, box}));
-        const Vec3 half(random.uniform(0.03, 0.4), random.uniform(0.03, 0.25),
-                        random.uniform(0.03, 0.25));
+        const Vec3 half{random.uniform(0.03, 0.4), random.uniform(0.03, 0.25),
+                        random.uniform(0.03, 0.25)};
         const double friction = 0.4 * static_cast<double>(box % 4);
         const double elasticity = 0.3 * static_cast<double>(box / 4 % 3);
         const auto scene = make_solid(one_solid(half), spatial_ground(friction, elasticity));
         const auto vector = [&random](double size) {
-            return Vec3(random.uniform(-size, size), random.uniform(-size, size),
-                        random.uniform(-size, size));
+            return Vec3{random.uniform(-size, size), random.uniform(-size, size),
+                        random.uniform(-size, size)};
         };
         SolidMotion motion;
         motion.place = {0.0, random.uniform(0.6, 1.5), 0.0};
