@@ -42,6 +42,19 @@ inline double step_factor(double error, int order) {
     return std::clamp(kSafety * inverse_root(error, order), kShrinkMost, kGrowMost);
 }
 
+// With an error of up to this share of the tolerance, the next step is not shorter (for orders up
+// to 5).
+inline constexpr double kCalmError = 0.59;
+
+// Returns the length of the next step after an accepted one of length h, which may be a truncated
+// one of the length that was proposed (s).
+inline double next_length(double error, int order, double h, double proposed, double longest) {
+    const bool truncated = h < proposed;
+    if (error <= kCalmError && (truncated ? proposed : h) >= longest) return longest;
+    const double grown = h * step_factor(error, order);
+    return std::min(truncated ? std::max(proposed, grown) : grown, longest);
+}
+
 // Takes over the counts, which a tick that was taken back has cost all the same.
 inline void keep_counts(const SceneAudit& spent, SceneAudit& audit) {
     audit.evaluations = spent.evaluations;

@@ -102,6 +102,17 @@ void main() {
 // The boxes: four vectors each, its axes with the centre, and its half extents.
 inline constexpr const char* kBoxes = R"(
 layout(std140) uniform Boxes { vec4 boxes[1024]; };
+
+// Returns how far towards the light a ray from a point (in the box's frame) enters and leaves a box.
+vec2 through_box(int i, vec3 start, vec3 light) {
+    vec3 way = vec3(dot(boxes[4 * i].xyz, light), dot(boxes[4 * i + 1].xyz, light),
+                    dot(boxes[4 * i + 2].xyz, light));
+    vec3 inverse = 1.0 / way;
+    vec3 span = abs(inverse) * boxes[4 * i + 3].xyz;
+    vec3 enter = -inverse * start - span;
+    vec3 leave = -inverse * start + span;
+    return vec2(max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
 )";
 
 // The shadow on the floor, as a picture of the floor from above.
@@ -130,16 +141,10 @@ void main() {
         vec3 half_size = boxes[4 * i + 3].xyz;
         vec3 from = vec3(at.x, height, at.y) - vec3(a.w, b.w, c.w);
         vec3 start = vec3(dot(a.xyz, from), dot(b.xyz, from), dot(c.xyz, from));
-        vec3 way = vec3(dot(a.xyz, sun), dot(b.xyz, sun), dot(c.xyz, sun));
-        vec3 inverse = 1.0 / way;
-        vec3 span = abs(inverse) * half_size;
-        vec3 enter = -inverse * start - span;
-        vec3 leave = -inverse * start + span;
-        float first = max(max(enter.x, enter.y), enter.z);
-        float last = min(min(leave.x, leave.y), leave.z);
-        float middle = max(0.5 * (first + last), 0.02);
-        float inside = (last - first) / (middle * soft + 0.02);
-        light *= 1.0 - smoothstep(-1.0, 1.0, inside) * step(0.0, last);
+        vec2 passed = through_box(i, start, sun);
+        float middle = max(0.5 * (passed.x + passed.y), 0.02);
+        float inside = (passed.y - passed.x) / (middle * soft + 0.02);
+        light *= 1.0 - smoothstep(-1.0, 1.0, inside) * step(0.0, passed.y);
         float near = dot(from, from) / dot(half_size, half_size);
         open *= 1.0 - 0.55 / (1.0 + 0.6 * near * near);
     }
@@ -209,16 +214,10 @@ void shade_by(int i, vec3 normal, inout float light, inout float open) {
     vec3 half_size = boxes[4 * i + 3].xyz;
     vec3 from = place - vec3(a.w, b.w, c.w);
     vec3 start = vec3(dot(a.xyz, from), dot(b.xyz, from), dot(c.xyz, from));
-    vec3 way = vec3(dot(a.xyz, sun), dot(b.xyz, sun), dot(c.xyz, sun));
-    vec3 inverse = 1.0 / way;
-    vec3 span = abs(inverse) * half_size;
-    vec3 enter = -inverse * start - span;
-    vec3 leave = -inverse * start + span;
-    float first = max(max(enter.x, enter.y), enter.z);
-    float last = min(min(leave.x, leave.y), leave.z);
-    float middle = max(0.5 * (first + last), 0.0);
-    float through = (last - first) / (0.25 * middle + 0.25 * half_size.y + 0.01);
-    light *= 1.0 - smoothstep(-0.5, 1.0, through) * smoothstep(0.0, 0.04, last);
+    vec2 passed = through_box(i, start, sun);
+    float middle = max(0.5 * (passed.x + passed.y), 0.0);
+    float through = (passed.y - passed.x) / (0.25 * middle + 0.25 * half_size.y + 0.01);
+    light *= 1.0 - smoothstep(-0.5, 1.0, through) * smoothstep(0.0, 0.04, passed.y);
     vec3 beyond = max(abs(start) - half_size, 0.0);
     float gap = length(beyond);
     vec3 there = sign(start) * beyond;

@@ -2,6 +2,7 @@
 
 // Which corners of boxes are at the ground, y = 0.
 
+#include "dynamics/contact_policy.h"
 #include "spatial/motion.h"
 
 #include <algorithm>
@@ -10,11 +11,6 @@ namespace cambrian::spatial {
 
 inline constexpr int kCorners = 8;
 inline constexpr int kMostContacts = 4 * kMostParts;
-
-inline constexpr double kContactBand = 1e-3;    // m; smaller gaps count as touching
-inline constexpr double kRestingGap = 0.5e-3;   // m; gap of resting contacts
-inline constexpr double kRestingSpeed = 0.3;    // m/s; slower contacts do not bounce
-inline constexpr double kContactMargin = 0.02;  // m; points with larger gaps are ignored
 
 // Four of every part have room, which is one face, and at least those of one part.
 inline int most_contacts(const Model& model) {

@@ -283,7 +283,8 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
             h *= 0.5;
             continue;
         }
-        propose_length(h, order, state.proposed_step);
+        state.proposed_step =
+            step_policy::next_length(result_.error, order, h, state.proposed_step, kMaxStep);
         return Attempt::kAccepted;
     }
 }
@@ -375,17 +376,6 @@ double StepControl::unexplained_gain(const Tick& tick) const {
     for (const Work w : {kMotorWork, kDragWork, kPullWork})
         gain -= result_.end.work[w] - state.motion.work[w];
     return gain - work_.contact - work_.limit;
-}
-
-// Proposes the next step's length after an accepted step, which may have been truncated.
-void StepControl::propose_length(double h, int order, double& proposed) const {
-    const bool truncated = h < proposed;
-    if (result_.error <= kCalmError && (truncated ? proposed : h) >= kMaxStep) {
-        proposed = kMaxStep;
-        return;
-    }
-    const double grown = h * step_policy::step_factor(result_.error, order);
-    proposed = std::min(truncated ? std::max(proposed, grown) : grown, kMaxStep);
 }
 
 void StepControl::accept(Tick& tick, bool has_rows, double h) {

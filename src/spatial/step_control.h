@@ -83,7 +83,6 @@ private:
     bool is_too_deep(const Tick& tick, double start_depth, double h) const;
     bool must_halve(const Tick& tick, double h);
     double unexplained_gain(const Tick& tick) const;
-    void propose_length(double h, int order, double& proposed) const;
     void accept(Tick& tick, bool has_rows, double h);
     void accept_part(Tick& tick, bool has_rows, double h);
     void add_to_audit(Tick& tick, double share);

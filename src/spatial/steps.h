@@ -31,10 +31,6 @@ struct StepRequest {
     double tolerance = 0.0;        // of SceneSettings
 };
 
-// With an error of up to this share of the tolerance, the next step is not shorter (for orders up
-// to 5).
-inline constexpr double kCalmError = 0.59;
-
 struct StepResult {
     Motion end;
     MotionRate end_rate;  // at the end, free of stops

@@ -5,38 +5,16 @@ namespace {
 
 constexpr int kMostRounds = 40;
 
-// The deepest new contact that is an impact.
-struct NewContact {
-    bool found = false;
-    double gap = kContactMargin;
-    double closing_speed = 0.0;
-};
-
-// Whether a contact closes fast or penetrates too deeply. A fast spinning corner may enter the
-// ground and leave it again within one step.
-bool is_impact(const Contact& contact) {
-    return contact.closing_speed() > kRestingSpeed || contact.gap < -kContactBand;
-}
-
 NewContact deepest_new_contact(const ContactSet& near, const Rows& selected) {
     NewContact deepest;
     for (int c = 0; c < near.count; ++c) {
         const Contact& contact = near.items[c];
-        if (!is_impact(contact) || contact.gap >= deepest.gap) continue;
+        if (!is_impact(contact.gap, contact.closing_speed()) || contact.gap >= deepest.gap)
+            continue;
         if (selected.covers(contact.id)) continue;
         deepest = {true, contact.gap, contact.closing_speed()};
     }
     return deepest;
-}
-
-// The next guess puts the last contact into the middle of the band at its closing speed. It remains
-// well inside the bracket.
-double next_share(double low, double high, double from, const NewContact& seen, double length) {
-    const double middle = 0.5 * (low + high);
-    if (!seen.found || seen.closing_speed <= kRestingSpeed) return middle;
-    const double guess = from + (seen.gap - kRestingGap) / (seen.closing_speed * length);
-    const double rim = 0.02 * (high - low);
-    return guess > low + rim && guess < high - rim ? guess : middle;
 }
 
 }  // namespace

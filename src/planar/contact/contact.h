@@ -3,6 +3,7 @@
 // Contact points of boxes with the ground or with each other (planar/README.md 8).
 
 #include "core/assert.h"
+#include "dynamics/contact_policy.h"
 #include "planar/model/planar_model.h"
 
 #include <algorithm>
@@ -11,10 +12,6 @@
 
 namespace cambrian {
 
-inline constexpr double kContactBand = 1e-3;    // m; smaller gaps count as touching
-inline constexpr double kRestingGap = 0.5e-3;   // m; gap of resting contacts
-inline constexpr double kRestingSpeed = 0.3;    // m/s; slower contacts do not bounce
-inline constexpr double kContactMargin = 0.02;  // m; points with larger gaps are ignored
 inline constexpr int kGroundContactIds = 4 * kMaxParts;
 inline constexpr int kIdsPerPair = 8;
 inline constexpr int kMostPairs = kMaxParts * (kMaxParts - 1) / 2;

@@ -1,5 +1,6 @@
 #include "planar/stepping/midpoint_step.h"
 
+#include "dynamics/step_policy.h"
 #include "planar/articulated/articulated_body.h"
 #include "planar/constraints/invariants.h"
 #include "planar/evaluation/accelerations.h"
@@ -185,7 +186,7 @@ double MidpointStep::estimate_error(const PlanarModel& model, const ContactLaw& 
     take_damping(model, changes, errors);
     const double scale = kCaution / step.tolerance;
     const double whole = scale * error_norm(model, result.end, errors[1], errors[0]);
-    if (whole <= kCalmError) return whole;
+    if (whole <= step_policy::kCalmError) return whole;
     if (!take_absorbed(model, law, contacts, errors)) return whole;
     return scale * error_norm(model, result.end, errors[1], errors[0]);
 }

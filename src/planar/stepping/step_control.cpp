@@ -362,21 +362,10 @@ StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) 
             h *= 0.5;
             continue;
         }
-        propose_length(h, order, state.proposed_step);
+        state.proposed_step = step_policy::next_length(result_.error, order, h, state.proposed_step,
+                                                       integrator_->max_step);
         return Attempt::kAccepted;
     }
-}
-
-// Proposes the next step's length after an accepted step, which may have been truncated.
-void StepControl::propose_length(double h, int order, double& proposed) const {
-    const double longest = integrator_->max_step;
-    const bool truncated = h < proposed;
-    if (result_.error <= kCalmError && (truncated ? proposed : h) >= longest) {
-        proposed = longest;
-        return;
-    }
-    const double grown = h * step_policy::step_factor(result_.error, order);
-    proposed = std::min(truncated ? std::max(proposed, grown) : grown, longest);
 }
 
 void StepControl::try_midpoint_step(Tick& tick, double h) {

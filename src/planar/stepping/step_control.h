@@ -161,7 +161,6 @@ private:
     double choose_length(Tick& tick, bool& has_rows);
     void count_resting(Tick& tick, bool solved);
     Attempt attempt(Tick& tick, bool has_rows, double& h);
-    void propose_length(double h, int order, double& proposed) const;
     bool is_midpoint(bool has_rows) const { return has_rows && integrator_->rows_at_middle; }
     void try_midpoint_step(Tick& tick, double h);
     void try_step(Tick& tick, bool has_rows, double h);

@@ -10,43 +10,17 @@ namespace {
 
 constexpr int kMaxRounds = 40;
 
-// The deepest new contact that is an impact.
-struct NewContact {
-    bool found = false;
-    double gap = kContactMargin;
-    double closing_speed = 0.0;
-};
-
-// Whether a contact closes fast or penetrates too deeply.
-bool is_impact(const Contact& contact) {
-    const bool fast = contact.closing_speed > kRestingSpeed;
-    // A fast spinning corner may enter the ground and leave it again within one step.
-    const bool deep = contact.gap < -kContactBand;
-    return fast || deep;
-}
-
 NewContact deepest_new_contact(const ContactSolver& contacts) {
     NewContact deepest;
     const ContactSet& near = contacts.near();
     for (int c = 0; c < near.count; ++c) {
         const Contact& contact = near.items[c];
-        if (!is_impact(contact) || contact.gap >= deepest.gap) continue;
+        if (!is_impact(contact.gap, contact.closing_speed) || contact.gap >= deepest.gap) continue;
         CAMBRIAN_TICK_ASSERT(!(contact.gap > kContactMargin), "a near contact");
         if (contacts.covers(contact)) continue;
         deepest = {true, contact.gap, contact.closing_speed};
     }
     return deepest;
-}
-
-// The next guess puts the last contact into the middle of the band at its closing speed. It remains
-// well inside the bracket.
-double next_share(double low, double high, double from, const NewContact& seen, double length) {
-    CAMBRIAN_TICK_ASSERT(low >= 0.0 && low <= high && high <= 1.0, "a bracket within the step");
-    const double middle = 0.5 * (low + high);
-    if (!seen.found || seen.closing_speed <= kRestingSpeed) return middle;
-    const double guess = from + (seen.gap - kRestingGap) / (seen.closing_speed * length);
-    const double rim = 0.02 * (high - low);
-    return guess > low + rim && guess < high - rim ? guess : middle;
 }
 
 }  // namespace
@@ -73,7 +47,7 @@ Crossing find_crossing(const PlanarModel& model, const ContactLaw& law, const St
             if (contacts.covers(contact))
                 crossing.depth = std::max(crossing.depth, -contact.gap);
             else
-                is_new = is_new || is_impact(contact);
+                is_new = is_new || is_impact(contact.gap, contact.closing_speed);
         }
         if (!is_new) continue;
         crossing.share = share;
