@@ -17,6 +17,7 @@
 
 namespace cambrian {
 
+// Most of its functions carry out one kind of command each.
 class PickingSession {
 public:
     // The settings must pass check_settings(); `kinds` must outlive the object. There is no grid at

@@ -59,6 +59,7 @@ struct Mark {
     std::vector<HeldForce> pulls;
 };
 
+// It has as many functions as the interface of scenes; each is a few lines over the body it holds.
 class PlanarScene final : public BodyScene {
 public:
     PlanarScene(PlanarModel&& model, const Environment& environment, const SceneSettings& settings,

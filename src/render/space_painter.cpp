@@ -13,25 +13,15 @@
 namespace cambrian {
 namespace {
 
-using Floats3 = std::array<float, 3>;
 using Matrix = std::array<float, 16>;  // column by column
 
 constexpr int kShadowSide = 96;    // texels
-constexpr int kGrainSide = 256;    // texels
-constexpr int kEdgeSteps = 2;      // of a quarter of a round edge, halved
 constexpr double kNearest = 0.04;  // of the target's distance
 constexpr double kFarPlane = 400.0;
 constexpr double kFloorReach = 120.0;  // distances of the target
 constexpr double kPenumbra = 0.30;     // width of a shadow's edge, in metres a metre of its height
-constexpr std::size_t kBeside = 8;     // boxes that may shade a solid
-constexpr std::size_t kBoxFloats = 16;
 
 enum : std::size_t { kSky, kFloor, kShadow, kSolid, kInk, kMark, kSmooth };  // places of shaders
-
-Floats3 floats(const Vec3& from) {
-    return {static_cast<float>(from.x()), static_cast<float>(from.y()),
-            static_cast<float>(from.z())};
-}
 
 void give(const Shader& shader, const char* name, const Floats3& value) {
     glUniform3f(shader.uniform(name), value[0], value[1], value[2]);
@@ -51,101 +41,6 @@ void give(const Shader& shader, const char* name, const std::array<double, 4>& f
 }
 void give(const Shader& shader, const char* name, const Matrix& matrix) {
     glUniformMatrix4fv(shader.uniform(name), 1, GL_FALSE, matrix.data());
-}
-
-const void* place_in_buffer(std::size_t offset) {
-    return reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
-}
-
-void describe(GLuint location, GLint count, std::size_t stride, std::size_t offset,
-              GLuint divisor) {
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, count, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                          place_in_buffer(offset));
-    glVertexAttribDivisor(location, divisor);
-}
-
-template <class Item>
-void fill_buffer(GLuint buffer, std::span<const Item> items, GLenum use) {
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(items.size_bytes()), items.data(), use);
-}
-
-// Returns a number in [0, 1) that belongs to a point of a lattice.
-float lattice(std::uint32_t x, std::uint32_t y, std::uint32_t salt) {
-    std::uint32_t bits = x * 0x9E3779B1U ^ y * 0x85EBCA77U ^ salt * 0xC2B2AE3DU;
-    bits = (bits ^ (bits >> 15U)) * 0x2C1B3C6DU;
-    bits = (bits ^ (bits >> 12U)) * 0x297A2D39U;
-    bits ^= bits >> 15U;
-    return static_cast<float>(bits >> 8U) / 16777216.0F;
-}
-
-// Returns smooth noise, 0 to 1, that repeats after `period` cells each way.
-float noise(float x, float y, std::uint32_t period, std::uint32_t salt) {
-    const auto column = static_cast<std::uint32_t>(x);
-    const auto row = static_cast<std::uint32_t>(y);
-    const auto ease = [](float t) { return t * t * (3.0F - 2.0F * t); };
-    const float right = ease(x - static_cast<float>(column));
-    const float upper = ease(y - static_cast<float>(row));
-    const auto at = [&](std::uint32_t i, std::uint32_t j) {
-        return lattice((column + i) % period, (row + j) % period, salt);
-    };
-    const float low = at(0, 0) + right * (at(1, 0) - at(0, 0));
-    const float high = at(0, 1) + right * (at(1, 1) - at(0, 1));
-    return low + upper * (high - low);
-}
-
-// Returns how near a point is to the middle of the wall between two cells around scattered points,
-// 0 to 1: the net of light that waves cast.
-float net(float x, float y, std::uint32_t period) {
-    const auto column = static_cast<int>(x);
-    const auto row = static_cast<int>(y);
-    float nearest = 9.0F;
-    float second = 9.0F;
-    const auto cells = static_cast<int>(period);
-    for (int j = row - 1; j <= row + 1; ++j) {
-        for (int i = column - 1; i <= column + 1; ++i) {
-            const auto u = static_cast<std::uint32_t>((i + cells) % cells);
-            const auto v = static_cast<std::uint32_t>((j + cells) % cells);
-            const float dx = static_cast<float>(i) + lattice(u, v, 7) - x;
-            const float dy = static_cast<float>(j) + lattice(u, v, 8) - y;
-            const float away = std::sqrt(dx * dx + dy * dy);
-            second = std::min(second, std::max(nearest, away));
-            nearest = std::min(nearest, away);
-        }
-    }
-    const float wall = std::clamp(1.0F - 2.2F * (second - nearest), 0.0F, 1.0F);
-    return wall * wall;
-}
-
-// A texture that repeats: uneven colour in its red, a net of light in its green channel.
-GLuint make_grain() {
-    std::vector<std::uint8_t> texels;
-    constexpr float kSide = kGrainSide;
-    for (int y = 0; y < kGrainSide; ++y) {
-        for (int x = 0; x < kGrainSide; ++x) {
-            const float u = static_cast<float>(x) / kSide;
-            const float v = static_cast<float>(y) / kSide;
-            const float uneven = 0.5F * noise(8 * u, 8 * v, 8, 1) +
-                                 0.3F * noise(24 * u, 24 * v, 24, 2) +
-                                 0.2F * noise(72 * u, 72 * v, 72, 3);
-            const float warp_x = 1.2F * noise(4 * u, 4 * v, 4, 4);
-            const float warp_y = 1.2F * noise(4 * u, 4 * v, 4, 5);
-            const float light =
-                net(std::fmod(8 * u + warp_x, 8.0F), std::fmod(8 * v + warp_y, 8.0F), 8);
-            for (const float share : {uneven, light, 0.0F, 1.0F})
-                texels.push_back(static_cast<std::uint8_t>(255.0F * std::clamp(share, 0.0F, 1.0F)));
-        }
-    }
-    GLuint texture = 0;
-    glGenTextures(1, &texture);
-    glBindTexture(GL_TEXTURE_2D, texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kGrainSide, kGrainSide, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 texels.data());
-    glGenerateMipmap(GL_TEXTURE_2D);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    return texture;
 }
 
 Result<Shader> compile(std::initializer_list<const char*> vertex,
@@ -172,20 +67,6 @@ struct SpacePainter::Footprint {
         low = low.cwiseMin(middle - Vec2::Constant(reach));
         high = high.cwiseMax(middle + Vec2::Constant(reach));
     }
-};
-
-struct SpacePainter::Instance {
-    std::array<float, 12> axes;  // of the solid, each with a number of its centre
-    std::array<float, 4> size;
-    std::array<float, 4> fill;
-    std::array<float, 4> look;
-    std::array<float, kBeside> beside;
-};
-
-struct SpacePainter::MarkInstance {
-    std::array<float, 4> disc;
-    std::array<float, 4> fill;
-    std::array<float, 2> edge;
 };
 
 // The camera with places relative to its target.
@@ -227,85 +108,6 @@ struct SpacePainter::Seen {
     double pixel() const { return 1.0 / (camera.pixels_per_metre * camera.distance()); }
 };
 
-class SpacePainter::Objects {
-public:
-    Objects() : mesh_(rounded_box(kEdgeSteps)) {
-        glGenVertexArrays(1, &empty_);
-        glGenVertexArrays(1, &solids_);
-        glGenVertexArrays(1, &marks_);
-        glGenBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
-        glBindVertexArray(solids_);
-        fill_buffer<BoxVertex>(buffers_[0], mesh_.vertices, GL_STATIC_DRAW);
-        describe(0, 3, sizeof(BoxVertex), offsetof(BoxVertex, corner), 0);
-        describe(1, 3, sizeof(BoxVertex), offsetof(BoxVertex, normal), 0);
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
-        glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-                     static_cast<GLsizeiptr>(mesh_.triangles.size() * sizeof(unsigned)),
-                     mesh_.triangles.data(), GL_STATIC_DRAW);
-        glBindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
-        for (GLuint i = 0; i < sizeof(Instance) / 16; ++i)
-            describe(2 + i, 4, sizeof(Instance), std::size_t{16} * i, 1);
-        glBindVertexArray(marks_);
-        glBindBuffer(GL_ARRAY_BUFFER, buffers_[3]);
-        describe(0, 4, sizeof(MarkInstance), offsetof(MarkInstance, disc), 1);
-        describe(1, 4, sizeof(MarkInstance), offsetof(MarkInstance, fill), 1);
-        describe(2, 2, sizeof(MarkInstance), offsetof(MarkInstance, edge), 1);
-        glBindVertexArray(0);
-        glBindBuffer(GL_UNIFORM_BUFFER, buffers_[4]);
-        glBufferData(GL_UNIFORM_BUFFER, kMostShading * kBoxFloats * sizeof(float), nullptr,
-                     GL_STREAM_DRAW);
-        grain = make_grain();
-    }
-    ~Objects() {
-        glDeleteTextures(1, &grain);
-        glDeleteBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
-        for (const GLuint array : {empty_, solids_, marks_})
-            glDeleteVertexArrays(1, &array);
-    }
-    Objects(const Objects&) = delete;
-    Objects& operator=(const Objects&) = delete;
-
-    void use_boxes(std::span<const float> boxes) const {
-        glBindBuffer(GL_UNIFORM_BUFFER, buffers_[4]);
-        glBufferSubData(GL_UNIFORM_BUFFER, 0, static_cast<GLsizeiptr>(boxes.size_bytes()),
-                        boxes.data());
-        glBindBufferBase(GL_UNIFORM_BUFFER, 0, buffers_[4]);
-    }
-    void fill(std::span<const Instance> instances) const {
-        fill_buffer(buffers_[2], instances, GL_STREAM_DRAW);
-    }
-    void draw_solids(std::size_t count) const {
-        glBindVertexArray(solids_);
-        glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(mesh_.triangles.size()),
-                                GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(count));
-        glBindVertexArray(0);
-    }
-    void draw_marks(std::span<const MarkInstance> marks) const {
-        fill_buffer(buffers_[3], marks, GL_STREAM_DRAW);
-        glBindVertexArray(marks_);
-        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(marks.size()));
-        glBindVertexArray(0);
-    }
-    // Runs the shader in use with no data; a strip has four corners, a cover three.
-    void draw_strip() const { draw_plain(GL_TRIANGLE_STRIP, 4); }
-    void draw_cover() const { draw_plain(GL_TRIANGLES, 3); }
-
-    GLuint grain = 0;
-
-private:
-    void draw_plain(GLenum form, GLsizei corners) const {
-        glBindVertexArray(empty_);
-        glDrawArrays(form, 0, corners);
-        glBindVertexArray(0);
-    }
-
-    BoxMesh mesh_;
-    GLuint empty_ = 0;
-    GLuint solids_ = 0;
-    GLuint marks_ = 0;
-    std::array<GLuint, 5> buffers_ = {};
-};
-
 Result<SpacePainter> SpacePainter::create() {
     using namespace space_shader;
     std::vector<Shader> shaders;
@@ -327,7 +129,7 @@ Result<SpacePainter> SpacePainter::create() {
 }
 
 SpacePainter::SpacePainter(std::vector<Shader> shaders)
-    : shaders_(std::move(shaders)), objects_(std::make_unique<Objects>()) {
+    : shaders_(std::move(shaders)), objects_(std::make_unique<SpaceBuffers>()) {
     for (const std::size_t user : {kShadow, kSolid})
         shaders_[user].use_block("Boxes", 0);
 }
@@ -352,73 +154,6 @@ bool SpacePainter::make_room(int width, int height) {
     return true;
 }
 
-void SpacePainter::list_boxes(const SpaceFrame& frame) {
-    shading_.clear();
-    boxes_.clear();
-    for (std::size_t i = 0; i < frame.solids.size() && shading_.size() < kMostShading; ++i) {
-        const Solid& solid = frame.solids[i];
-        if (!solid.shadows || solid.fill.a < 1.0F) continue;
-        shading_.push_back(i);
-        const auto turn = solid.pose.orientation.toRotationMatrix();
-        const Floats3 at = floats(solid.pose.position - frame.camera.target);
-        for (int axis = 0; axis < 3; ++axis) {
-            for (const float number : floats(turn.col(axis)))
-                boxes_.push_back(number);
-            boxes_.push_back(at[static_cast<std::size_t>(axis)]);
-        }
-        for (const float number : floats(solid.half_extents))
-            boxes_.push_back(number);
-        boxes_.push_back(0.0F);
-    }
-}
-
-std::vector<SpacePainter::Instance> SpacePainter::instances_of(const SpaceFrame& frame, bool opaque,
-                                                               bool inked) const {
-    std::vector<Instance> instances;
-    const Vec3 sun = frame.light.direction.normalized();
-    struct Neighbour {
-        double away;
-        std::size_t box;
-    };
-    std::vector<Neighbour> neighbours;
-    for (std::size_t i = 0; i < frame.solids.size(); ++i) {
-        const Solid& solid = frame.solids[i];
-        if ((solid.fill.a >= 1.0F) != opaque || solid.inked != inked) continue;
-        Instance instance{};
-        const auto turn = solid.pose.orientation.toRotationMatrix();
-        const Floats3 at = floats(solid.pose.position - frame.camera.target);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Floats3 column = floats(turn.col(static_cast<int>(axis)));
-            std::copy(column.begin(), column.end(), instance.axes.begin() + 4 * axis);
-            instance.axes[4 * axis + 3] = at[axis];
-        }
-        const Floats3 half = floats(solid.half_extents);
-        instance.size = {half[0], half[1], half[2], static_cast<float>(solid.radius)};
-        instance.fill = {solid.fill.r, solid.fill.g, solid.fill.b, solid.fill.a};
-        instance.look = {static_cast<float>(solid.pattern), static_cast<float>(1.0 / solid.wave),
-                         solid.phase, solid.gleams ? 1.0F : 0.0F};
-        // The boxes that may lie between it and the sun, or beside it, the nearest first.
-        neighbours.clear();
-        const double own = solid.half_extents.norm();
-        for (std::size_t box = 0; box < shading_.size(); ++box) {
-            const Solid& other = frame.solids[shading_[box]];
-            if (shading_[box] == i) continue;
-            const Vec3 way = other.pose.position - solid.pose.position;
-            const double along = way.dot(sun);
-            const double aside = along > 0.0 ? (way - along * sun).norm() : way.norm();
-            const double gap = aside - own - other.half_extents.norm();
-            if (gap < 0.05) neighbours.push_back({gap, box});
-        }
-        std::stable_sort(neighbours.begin(), neighbours.end(),
-                         [](const Neighbour& a, const Neighbour& b) { return a.away < b.away; });
-        for (std::size_t k = 0; k < kBeside; ++k)
-            instance.beside[k] =
-                k < neighbours.size() ? static_cast<float>(neighbours[k].box) : -1.0F;
-        instances.push_back(instance);
-    }
-    return instances;
-}
-
 namespace {
 
 void give_around(const Shader& shader, const SpaceFrame& frame, const Vec3& eye, const Vec3& sun) {
@@ -436,7 +171,7 @@ void give_around(const Shader& shader, const SpaceFrame& frame, const Vec3& eye,
 SpacePainter::Footprint SpacePainter::footprint_of(const SpaceFrame& frame) const {
     Footprint result;
     const Vec3 sun = frame.light.direction.normalized();
-    for (const std::size_t index : shading_) {
+    for (const std::size_t index : boxes_.solids) {
         const Solid& solid = frame.solids[index];
         const double above = solid.pose.position.y() - frame.floor->height;
         const Vec3 foot = solid.pose.position - above / sun.y() * sun;
@@ -458,7 +193,7 @@ void SpacePainter::draw_shadow(const SpaceFrame& frame, const Seen& seen) {
                     seen.foot.size().y()});
     give(shader, "height", frame.floor->height - frame.camera.target.y());
     give(shader, "soft", kPenumbra);
-    give(shader, "count", static_cast<int>(shading_.size()));
+    give(shader, "count", static_cast<int>(boxes_.solids.size()));
     objects_->draw_cover();
 }
 
@@ -526,7 +261,7 @@ void SpacePainter::draw_floor(const SpaceFrame& frame, const Seen& seen) {
     give(shader, "grain", 1);
     give(shader, "shadow", 0);
     glActiveTexture(GL_TEXTURE1);
-    glBindTexture(GL_TEXTURE_2D, objects_->grain);
+    glBindTexture(GL_TEXTURE_2D, objects_->grain());
     shadow_->bind_to_sample();
     objects_->draw_strip();
 }
@@ -551,7 +286,7 @@ void SpacePainter::draw_solids(const SpaceFrame& frame, const Seen& seen) {
     give(solid, "below", frame.light.below);
     give(solid, "dimness", frame.light.dimness);
     const auto draw = [&](bool opaque, bool inked) {
-        const std::vector<Instance> instances = instances_of(frame, opaque, inked);
+        const std::vector<SolidInstance> instances = instances_of(frame, boxes_, opaque, inked);
         if (instances.empty()) return std::size_t{0};
         objects_->fill(instances);
         objects_->draw_solids(instances.size());
@@ -645,8 +380,8 @@ void SpacePainter::draw(const SpaceFrame& frame, const PixelRect& target) {
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(before));
         return fill_rect(target, frame.light.around[0]);
     }
-    list_boxes(frame);
-    objects_->use_boxes(boxes_);
+    list_boxes(frame, boxes_);
+    objects_->use_boxes(boxes_.numbers);
     if (frame.floor && !frame.clear) seen.foot = footprint_of(frame);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);

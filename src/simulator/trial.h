@@ -42,6 +42,7 @@ struct TrialWorld {
     friend bool operator==(const TrialWorld&, const TrialWorld&) = default;
 };
 
+// Half of its functions only show a part of it to who watches or continues a trial.
 class Trial {
     // The progress of the trial and its records so far.
     struct Progress {

@@ -34,6 +34,7 @@ Ground ground_of(const Environment& environment, bool motors_off) {
             environment.elasticity};
 }
 
+// It has as many functions as the interface of scenes; each is a few lines over the body it holds.
 class SpatialScene final : public PhysicsScene {
 public:
     SpatialScene(const Model& model, const Environment& environment, const SceneSettings& settings,

@@ -27,6 +27,8 @@ struct JsonPlace {
     std::string pointer() const;  // JSON pointer, RFC 6901
 };
 
+// It has one function for each type of value that a file of ours may hold, and so has the writer of
+// schemas, which is called in its place.
 class JsonReader {
 public:
     // The object, the places around it and `errors` must outlive the reader.

@@ -24,6 +24,7 @@ namespace cambrian {
 
 struct FieldRule;
 
+// Has the functions of JsonReader, in whose place a description calls it.
 class JsonSchemaWriter {
 public:
     using Json = nlohmann::ordered_json;

@@ -4,7 +4,7 @@
 // Where edges meet, it is drawn again beyond them.
 
 #include "pictures/canvas/palette.h"
-#include "pictures/scene/character.h"
+#include "pictures/preserve/resident_scene.h"
 #include "pictures/scene/worlds.h"
 #include "preserve/engine/preserve_picture.h"
 #include "render/camera.h"
@@ -38,14 +38,8 @@ inline constexpr double kGroundShare = 0.2;  // of a view, below the ground of a
 // Returns the image of a point of the world that is nearest to another point (m).
 Vec2 image_near(const WorldArea& area, const Vec2& point, const Vec2& there);
 
-// Returns the hue of a lineage in turns; numbers that follow each other have hues far apart.
-double lineage_hue(std::uint64_t lineage);
-
 // Returns the number of the creature at a point of the world, or within `reach` (m) of one's centre
 // of mass; 0 if there is none. Where edges meet, images count too.
 std::uint64_t resident_at(const PreservePicture& picture, const Vec2& point, double reach);
-
-// Returns a circle's radius around a creature that contains its parts, in m.
-double reach_of(const ResidentPicture& resident);
 
 }  // namespace cambrian

@@ -1,4 +1,4 @@
-#include "studio/panels/cards/comparison_panel.h"
+#include "studio/panels/comparison/comparison_panel.h"
 
 #include "panel_press.h"
 

@@ -1,4 +1,4 @@
-#include "studio/panels/cards/machines_panel.h"
+#include "studio/panels/machines/machines_panel.h"
 
 #include "machines/scripted_cluster.h"
 #include "panel_press.h"

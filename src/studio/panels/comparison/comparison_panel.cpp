@@ -1,11 +1,11 @@
-#include "studio/panels/cards/comparison_panel.h"
+#include "studio/panels/comparison/comparison_panel.h"
 
 #include "core/text/counted.h"
 #include "core/text/pretty_text.h"
 #include "studio/experiment/setting_filter.h"
 #include "studio/panels/cards/card_title.h"
-#include "studio/panels/cards/comparison_chart.h"
-#include "studio/panels/cards/comparison_table.h"
+#include "studio/panels/comparison/comparison_chart.h"
+#include "studio/panels/comparison/comparison_table.h"
 #include "studio/widgets/value_slider.h"
 #include "studio/widgets/widgets.h"
 

@@ -1,4 +1,4 @@
-#include "studio/panels/cards/comparison_chart.h"
+#include "studio/panels/comparison/comparison_chart.h"
 
 #include "core/text/pretty_text.h"
 #include "pictures/curves_picture.h"

@@ -1,6 +1,7 @@
-#include "studio/panels/cards/machines_panel.h"
+#include "studio/panels/machines/machines_panel.h"
 
 #include "core/text/pretty_text.h"
+#include "studio/files/typed_path.h"
 #include "studio/machines/machine_words.h"
 #include "studio/panels/cards/card_title.h"
 #include "studio/widgets/keyboard_focus.h"

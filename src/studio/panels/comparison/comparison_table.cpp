@@ -1,4 +1,4 @@
-#include "studio/panels/cards/comparison_table.h"
+#include "studio/panels/comparison/comparison_table.h"
 
 #include "core/text/pretty_text.h"
 #include "pictures/curves_picture.h"
