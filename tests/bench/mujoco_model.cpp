@@ -160,11 +160,8 @@ std::string mujoco_name(std::size_t part) {
     return name;
 }
 
-MujocoModel build_mujoco_model(const BodyPlan& plan, const Environment& environment,
-                               const MujocoSettings& settings) {
-    CAMBRIAN_ASSERT(plan.parts.front().rest_angle == 0.0, "the root's slides are the world's axes");
+MujocoModel load_mujoco_model(const std::string& text) {
     mju_user_warning = report_warning;
-    const std::string text = ModelText(plan, environment, settings).str();
     const auto files = std::make_unique<mjVFS>();
     mj_defaultVFS(files.get());
     mj_makeEmptyFileVFS(files.get(), kFile, static_cast<int>(text.size()));
@@ -177,6 +174,13 @@ MujocoModel build_mujoco_model(const BodyPlan& plan, const Environment& environm
         std::fprintf(stderr, "MuJoCo refuses the model: %s\n", message);
         std::abort();
     }
+    return model;
+}
+
+MujocoModel build_mujoco_model(const BodyPlan& plan, const Environment& environment,
+                               const MujocoSettings& settings) {
+    CAMBRIAN_ASSERT(plan.parts.front().rest_angle == 0.0, "the root's slides are the world's axes");
+    MujocoModel model = load_mujoco_model(ModelText(plan, environment, settings).str());
     set_gains(plan, *model);
     return model;
 }

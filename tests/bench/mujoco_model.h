@@ -23,6 +23,9 @@ using MujocoData = std::unique_ptr<mjData, MujocoDeleter>;
 // Returns the common name of a part's body, hinge and box.
 std::string mujoco_name(std::size_t part);
 
+// Ends the program if MuJoCo refuses the text.
+MujocoModel load_mujoco_model(const std::string& text);
+
 // The actuator of part i is number i - 1.
 MujocoModel build_mujoco_model(const BodyPlan& plan, const Environment& environment,
                                const MujocoSettings& settings);
