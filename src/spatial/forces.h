@@ -12,7 +12,7 @@ struct Medium {
     double drag_quadratic = 0.0;  // kg/m^3
 };
 
-// The half-space y <= 0.
+// The half-space y <= 0, and the coefficients of contact with it and between parts.
 struct Ground {
     bool is_there = false;
     double friction = 0.0;     // Coulomb's coefficient

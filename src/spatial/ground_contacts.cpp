@@ -40,31 +40,8 @@ Vec3 corner_of(const Part& part, int number) {
 
 }  // namespace
 
-void ContactSet::add(const Contact& contact) {
-    if (count < most) {
-        items[count++] = contact;
-        return;
-    }
-    Contact* farthest = items;
-    for (int c = 1; c < count; ++c) {
-        if (items[c].gap > farthest->gap) farthest = items + c;
-    }
-    if (contact.gap >= farthest->gap) return;
-    std::copy(farthest + 1, items + count, farthest);
-    items[count - 1] = contact;
-}
-
-double ContactSet::depth() const {
-    double deepest = 0.0;
-    for (int c = 0; c < count; ++c)
-        deepest = std::max(deepest, -items[c].gap);
-    return deepest;
-}
-
-void detect_ground(const Model& model, const Motion& motion, const Kinematics& k,
-                   ContactSet& contacts) {
-    contacts.count = 0;
-    contacts.most = most_contacts(model);
+void add_ground_contacts(const Model& model, const Motion& motion, const Kinematics& k,
+                         ContactSet& contacts) {
     const double center = motion.position[model.place() + 1];
     const Vec3 drift = coordinate_vector(motion.speed + model.place());
     for (int p = 0; p < model.part_count; ++p) {
@@ -77,7 +54,12 @@ void detect_ground(const Model& model, const Motion& motion, const Kinematics& k
             if (gap >= kContactMargin) continue;
             const Vec3 point = corner_of(part, corner);
             const Vec3 velocity = k.velocity[b] + cross(k.spin[b], k.turn[b] * point) + drift;
-            contacts.add({p * kCorners + corner, b, point, gap, velocity});
+            contacts.add({.id = p * kCorners + corner,
+                          .body = b,
+                          .part = p,
+                          .point = point,
+                          .gap = gap,
+                          .rate = {velocity.y(), velocity.x(), velocity.z()}});
         }
     }
 }

@@ -11,6 +11,7 @@ namespace cambrian::spatial {
 
 inline constexpr int kMostBodies = 32;
 inline constexpr int kMostParts = 32;
+inline constexpr int kMostTouchingPairs = kMostParts * (kMostParts - 1) / 2;
 inline constexpr int kMostJointDegrees = kMostDegrees * (kMostBodies - 1);
 // Joints, then three each for the attitude and the centre of mass.
 inline constexpr int kMostCoordinates = kMostJointDegrees + 6;
@@ -45,20 +46,28 @@ struct Part {
     Vec3 place = Vec3::Zero();  // m, from the body's centre of mass, in the body's axes
     Turn turn;                  // in the body's axes
     Vec3 half = Vec3::Zero();   // m
+    double radius = 0.0;        // m, of the sphere around it
+};
+
+// Two parts that may touch each other; the first has the lower number.
+struct TouchingPair {
+    std::uint8_t first = 0, second = 0;
 };
 
 struct Model {
     int body_count = 0;
     int degree_count = 0;
     int part_count = 0;
+    int pair_count = 0;
     double mass = 0.0;     // kg
     double density = 1.0;  // kg/m^3
     Body bodies[kMostBodies];
     Degree degrees[kMostJointDegrees];
     Part parts[kMostParts];
-    bool measured[kMostParts] = {};  // PlannedPart::measures_forces
-    Turn root_turn;                  // of the root at rest
-    Vec3 center = Vec3::Zero();      // m, centre of mass at rest
+    TouchingPair pairs[kMostTouchingPairs];  // let_parts_touch() lists them
+    bool measured[kMostParts] = {};          // PlannedPart::measures_forces
+    Turn root_turn;                          // of the root at rest
+    Vec3 center = Vec3::Zero();              // m, centre of mass at rest
 
     int coordinate_count() const { return degree_count + 6; }
     int attitude() const { return degree_count; }   // first coordinate of the attitude

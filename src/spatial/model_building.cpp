@@ -132,6 +132,7 @@ private:
         part.place = axes.back(plan.rest_pose.position - center_[part.body].place);
         part.turn = axes.back(turn_of(plan.rest_pose.orientation));
         part.half = plan.half_extents;
+        part.radius = std::sqrt(dot(part.half, part.half));
         const double mass = mass_of(plan, model_.density);
         const Vec3 squares = part.half.cwiseProduct(part.half);
         const Symmetric box{mass / 3.0 * (squares.y() + squares.z()),

@@ -28,8 +28,6 @@ constexpr int kImpactSweeps = 300;
 constexpr int kSweepsFromZero = 200;
 constexpr double kCircleShare = 1.0 - 1e-6;  // of the radius; a longer tangent impulse slides
 
-const Vec3 kRowDirections[3] = {Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ()};
-
 // Returns what is added to the free rate at the end of a step before it must not be negative.
 double slack_of(double gap, double rate, double h, double push_speed) {
     if (gap < 0.0) {
@@ -61,25 +59,59 @@ Vec3 point_acceleration(const Evaluation& evaluation, int body, const Vec3& plac
            cross(k.spin[body], velocity) + gravity;
 }
 
+// Returns the acceleration of a contact along the axes of its surface (in the world), at a place
+// from the centre of mass of all. The surface may turn and move.
+Vec3 contact_acceleration(const Evaluation& evaluation, const Contact& contact, const Turn& surface,
+                          const Vec3& place, const Vec3& gravity) {
+    const Vec3 own = point_acceleration(evaluation, contact.body, place, gravity);
+    if (contact.is_on_ground()) return {own.y(), own.x(), own.z()};
+    const Kinematics& k = evaluation.kinematics;
+    const int b = contact.other_body;
+    const Six& motion = k.motion[contact.body];
+    const Vec3 slip =
+        motion.linear + cross(motion.angular, place) - k.motion[b].linear - cross(k.spin[b], place);
+    return surface.back(own - point_acceleration(evaluation, b, place, gravity) -
+                        2.0 * cross(k.spin[b], slip));
+}
+
 // Whether a slow contact could reach the band within a step of length h.
 bool may_touch(const Contact& contact, const Moment& start, double h) {
     const double closing = contact.closing_speed();
     if (closing > kRestingSpeed) return false;
-    const Vec3 place = place_of(start.evaluation.kinematics, contact);
+    const Kinematics& k = start.evaluation.kinematics;
     const double acceleration =
-        point_acceleration(start.evaluation, contact.body, place, start.gravity).y();
+        contact_acceleration(start.evaluation, contact, surface_of(k, contact),
+                             place_of(k, contact), start.gravity)
+            .x();
     return contact.gap < kContactBand + kReachSteps * h * std::max(0.0, closing) +
                              h * h * std::max(0.0, -acceleration);
 }
 
-// Calls take(degree) for the degrees between a body and the root, outermost first.
+// Calls take(degree) for the degrees of a body, outermost first.
 template <class Take>
-void visit_path(const Model& model, int body, Take&& take) {
-    for (int b = body; b > 0; b = model.bodies[b].parent) {
-        const Body& each = model.bodies[b];
-        for (int d = each.first_degree + each.degree_count - 1; d >= each.first_degree; --d)
-            take(d);
+void visit_degrees(const Body& body, Take&& take) {
+    for (int d = body.first_degree + body.degree_count - 1; d >= body.first_degree; --d)
+        take(d);
+}
+
+// Calls take(degree) for the degrees between a body and the root, outermost first, and for those
+// between another one (or -1) and the root that are not among them.
+template <class Take>
+void visit_paths(const Model& model, int body, int other, Take&& take) {
+    int a = body;
+    int b = other;
+    while (a > 0) {
+        if (b > a) {
+            visit_degrees(model.bodies[b], take);
+            b = model.bodies[b].parent;
+            continue;
+        }
+        if (b == a) b = -1;
+        visit_degrees(model.bodies[a], take);
+        a = model.bodies[a].parent;
     }
+    for (; b > 0; b = model.bodies[b].parent)
+        visit_degrees(model.bodies[b], take);
 }
 
 }  // namespace
@@ -100,6 +132,7 @@ Rows::Rows(const Model& model) : solver_(3 * most_contacts(model) + 2 * model.de
     stops_.reserve(rows - contacts);
     direction_.resize(contacts);
     body_.resize(rows);
+    other_.resize(rows);
     active_.reserve(rows);
     path_.resize(rows * static_cast<std::size_t>(model.degree_count));
     root_.resize(6 * rows);
@@ -149,21 +182,35 @@ void Rows::clear() {
     stops_.clear();
 }
 
-// Follows the unit impulse of a row from its body to the root (R. Featherstone, Rigid Body Dynamics
-// Algorithms, 2008, chapter 8).
+// Follows the unit impulse of a row from its bodies to the root (R. Featherstone, Rigid Body
+// Dynamics Algorithms, 2008, chapter 8). Where their paths meet, what arrives is added up.
 void Rows::eliminate(const Model& model, const Evaluation& middle, int row) {
     const auto r = static_cast<std::size_t>(row);
     const Factors& factors = middle.factors;
     double* path = path_.data() + r * static_cast<std::size_t>(model.degree_count);
     const int stop = row - 3 * contacts_.count;
     const int driven = stop < 0 ? -1 : stops_[static_cast<std::size_t>(stop)].degree;
+    const auto pass = [&](const Body& body, Six& bias) {
+        visit_degrees(body, [&](int d) {
+            path[d] = -dot(middle.kinematics.axis[d], bias);
+            if (d == driven) path[d] += stops_[static_cast<std::size_t>(stop)].sign;
+            bias += path[d] * factors.inverse[d] * factors.push[d];
+        });
+    };
     Six bias;
     if (stop < 0) bias = -1.0 * direction_[r];
-    visit_path(model, body_[r], [&](int d) {
-        path[d] = -dot(middle.kinematics.axis[d], bias);
-        if (d == driven) path[d] += stops_[static_cast<std::size_t>(stop)].sign;
-        bias += path[d] * factors.inverse[d] * factors.push[d];
-    });
+    Six back;
+    int a = body_[r];
+    int b = other_[r];
+    if (b >= 0) back = direction_[r];
+    while (b >= 0 && a != b) {
+        int& outer = a > b ? a : b;
+        pass(model.bodies[outer], a > b ? bias : back);
+        outer = model.bodies[outer].parent;
+    }
+    if (b >= 0) bias += back;
+    for (; a > 0; a = model.bodies[a].parent)
+        pass(model.bodies[a], bias);
     double* root = root_.data() + 6 * r;
     for (int i = 0; i < 3; ++i) {
         root[i] = -bias.angular[i];
@@ -176,52 +223,77 @@ void Rows::eliminate(const Model& model, const Evaluation& middle, int row) {
     }
 }
 
-void Rows::build(const Model& model, const Evaluation& middle, double tangent_softness) {
-    const int n = row_count();
-    const Kinematics& k = middle.kinematics;
+// Sets what rows of contacts and stops act on, and their rates at the start.
+void Rows::place_contacts(const Kinematics& k) {
     for (int c = 0; c < contacts_.count; ++c) {
         const Contact& contact = contacts_.items[c];
         const Vec3 place = place_of(k, contact);
+        const Turn surface = surface_of(k, contact);
+        const int b = contact.other_body;
+        if (b >= 0) met_[c] = k.turn[b].back(place - k.place[b]);
         for (std::size_t d = 0; d < 3; ++d) {
-            direction_[first_row(c) + d] = {cross(place, kRowDirections[d]), kRowDirections[d]};
-            body_[first_row(c) + d] = contact.body;
-            rate_[first_row(c) + d] = dot(contact.velocity, kRowDirections[d]);
+            const std::size_t row = first_row(c) + d;
+            direction_[row] = {cross(place, surface.axis[d]), surface.axis[d]};
+            body_[row] = contact.body;
+            other_[row] = b;
+            rate_[row] = contact.rate[static_cast<int>(d)];
         }
     }
+}
+
+void Rows::build(const Model& model, const Evaluation& middle, double tangent_softness) {
+    const int n = row_count();
+    place_contacts(middle.kinematics);
     for (std::size_t s = 0; s < stops_.size(); ++s) {
-        body_[first_row(contacts_.count) + s] = model.degrees[stops_[s].degree].body;
-        rate_[first_row(contacts_.count) + s] = stops_[s].rate;
+        const std::size_t row = first_row(contacts_.count) + s;
+        body_[row] = model.degrees[stops_[s].degree].body;
+        other_[row] = -1;
+        rate_[row] = stops_[s].rate;
     }
     const auto degrees = static_cast<std::size_t>(model.degree_count);
     std::fill_n(path_.begin(), static_cast<std::size_t>(n) * degrees, 0.0);
     for (int row = 0; row < n; ++row)
         eliminate(model, middle, row);
+    int visited[kMostJointDegrees];
     double scaled[kMostJointDegrees];
     for (int row = 0; row < n; ++row) {
         const auto r = static_cast<std::size_t>(row);
         const double* path = path_.data() + r * degrees;
         const double* root = root_.data() + 6 * r;
-        visit_path(model, body_[r],
-                   [&](int d) { scaled[d] = path[d] * middle.factors.inverse[d]; });
+        int count = 0;
+        visit_paths(model, body_[r], other_[r], [&](int d) {
+            scaled[count] = path[d] * middle.factors.inverse[d];
+            visited[count++] = d;
+        });
         for (int column = 0; column <= row; ++column) {
             const auto s = static_cast<std::size_t>(column);
             const double* other = path_.data() + s * degrees;
             double sum = 0.0;
             for (std::size_t i = 0; i < 6; ++i)
                 sum += root[i] * root_[6 * s + i];
-            visit_path(model, body_[r], [&](int d) { sum += scaled[d] * other[d]; });
+            for (int i = 0; i < count; ++i)
+                sum += scaled[i] * other[visited[i]];
             at(row, column) = sum;
             at(column, row) = sum;
         }
     }
+    soften(model, middle.kinematics, tangent_softness);
+}
+
+// Adds to the diagonal, for contacts in shares of what it would be if the bodies had no joints.
+void Rows::soften(const Model& model, const Kinematics& k, double tangent_softness) {
     for (int c = 0; c < contacts_.count; ++c) {
-        const int b = contacts_.items[c].body;
-        const Vec3 arm = k.turn[b] * contacts_.items[c].point;
-        double free[3];
-        for (int d = 0; d < 3; ++d) {
-            const Vec3 lever = cross(arm, kRowDirections[d]);
-            free[d] = 1.0 / model.bodies[b].mass + dot(lever, solved(k.inertia[b], lever));
-        }
+        const Contact& contact = contacts_.items[c];
+        double free[3] = {};
+        const auto add_body = [&](int b, const Vec3& arm) {
+            for (std::size_t d = 0; d < 3; ++d) {
+                const Vec3 lever = cross(arm, direction_[first_row(c) + d].linear);
+                free[d] += 1.0 / model.bodies[b].mass + dot(lever, solved(k.inertia[b], lever));
+            }
+        };
+        add_body(contact.body, k.turn[contact.body] * contact.point);
+        if (!contact.is_on_ground())
+            add_body(contact.other_body, k.turn[contact.other_body] * met_[c]);
         const int first = 3 * c;
         // The same for both tangents, so that it does not depend on the direction of the body.
         const double tangent = tangent_softness * 0.5 * (free[1] + free[2]);
@@ -230,9 +302,9 @@ void Rows::build(const Model& model, const Evaluation& middle, double tangent_so
         softness_[first_row(c) + 1] = tangent;
         softness_[first_row(c) + 2] = tangent;
     }
-    for (int row = 3 * contacts_.count; row < n; ++row)
+    for (int row = 3 * contacts_.count; row < row_count(); ++row)
         softness_[static_cast<std::size_t>(row)] = kStopSoftness * at(row, row);
-    for (int row = 0; row < n; ++row)
+    for (int row = 0; row < row_count(); ++row)
         at(row, row) += softness_[static_cast<std::size_t>(row)];
 }
 
@@ -243,12 +315,13 @@ void Rows::set_step_bias(const Model& model, const Vec3& gravity, const Evaluati
     const double most = kAnchorWeights * model.mass * kEarthGravity * h;
     for (int c = 0; c < contacts_.count; ++c) {
         const Contact& contact = contacts_.items[c];
-        const Vec3 acceleration =
-            point_acceleration(middle, contact.body, place_of(middle.kinematics, contact), gravity);
+        const Kinematics& k = middle.kinematics;
+        const Vec3 acceleration = contact_acceleration(middle, contact, surface_of(k, contact),
+                                                       place_of(k, contact), gravity);
         for (std::size_t d = 0; d < 3; ++d) {
             const std::size_t row = first_row(c) + d;
-            acceleration_[row] = dot(acceleration, kRowDirections[d]);
-            impulse_[row] = h * dot(guess_[c], kRowDirections[d]);
+            acceleration_[row] = acceleration[static_cast<int>(d)];
+            impulse_[row] = h * guess_[c][static_cast<int>(d)];
             bias_[row] = rate_[row] + h * acceleration_[row];
             if (d == 0)
                 bias_[row] += slack_of(contact.gap - kRestingGap, rate_[row], h, kPushSpeed);
@@ -356,8 +429,12 @@ bool Rows::holds_something() const {
 
 void Rows::add_push(double scale, Push& push) const {
     for (int c = 0; c < contacts_.count; ++c) {
-        for (std::size_t row = first_row(c); row < first_row(c) + 3; ++row)
-            push.wrench[contacts_.items[c].body] += scale * impulse_[row] * direction_[row];
+        const Contact& contact = contacts_.items[c];
+        for (std::size_t row = first_row(c); row < first_row(c) + 3; ++row) {
+            const Six wrench = scale * impulse_[row] * direction_[row];
+            push.wrench[contact.body] += wrench;
+            if (!contact.is_on_ground()) push.wrench[contact.other_body] += -1.0 * wrench;
+        }
     }
     for (std::size_t s = 0; s < stops_.size(); ++s)
         push.effort[stops_[s].degree] +=
@@ -415,9 +492,11 @@ void Rows::absorb_one(const Model& model, const Evaluation& middle, Change& chan
         const int row = active_[i];
         const int stop = row - 3 * contacts_.count;
         if (stop < 0) {
-            const Six& direction = direction_[static_cast<std::size_t>(row)];
-            x[i] = dot(direction, velocity[body_[static_cast<std::size_t>(row)]]) +
-                   dot(direction.linear, drift);
+            const auto r = static_cast<std::size_t>(row);
+            const Six& direction = direction_[r];
+            x[i] = dot(direction, velocity[body_[r]]);
+            x[i] +=
+                other_[r] < 0 ? dot(direction.linear, drift) : -dot(direction, velocity[other_[r]]);
         } else {
             const Stop& each = stops_[static_cast<std::size_t>(stop)];
             x[i] = each.sign * change.joint[each.degree];
@@ -434,8 +513,9 @@ void Rows::absorb_one(const Model& model, const Evaluation& middle, Change& chan
         const int row = active_[i];
         const int stop = row - 3 * contacts_.count;
         if (stop < 0) {
-            push.wrench[body_[static_cast<std::size_t>(row)]] +=
-                -x[i] * direction_[static_cast<std::size_t>(row)];
+            const auto r = static_cast<std::size_t>(row);
+            push.wrench[body_[r]] += -x[i] * direction_[r];
+            if (other_[r] >= 0) push.wrench[other_[r]] += x[i] * direction_[r];
         } else {
             const Stop& each = stops_[static_cast<std::size_t>(stop)];
             push.effort[each.degree] -= each.sign * x[i];
@@ -461,9 +541,15 @@ RowWork Rows::work(const Model& model, const Motion& start, const Kinematics& st
     for (int c = 0; c < contacts_.count; ++c) {
         const Contact& contact = contacts_.items[c];
         const double* p = impulse_.data() + first_row(c);
-        const Vec3 way =
-            place_of(end_kinematics, contact) - place_of(start_kinematics, contact) + moved;
-        const double done = (p[0] * way.y() + p[1] * way.x() + p[2] * way.z()) / length;
+        Vec3 way = place_of(end_kinematics, contact) - place_of(start_kinematics, contact);
+        if (contact.is_on_ground())
+            way += moved;
+        else
+            way -= met_place(end_kinematics, c) - met_place(start_kinematics, c);
+        double done = 0.0;
+        for (std::size_t d = 0; d < 3; ++d)
+            done += p[d] * dot(way, direction_[first_row(c) + d].linear);
+        done /= length;
         work.contact += done;
         work.positive += std::max(0.0, done);
     }
@@ -477,9 +563,9 @@ RowWork Rows::work(const Model& model, const Motion& start, const Kinematics& st
     return work;
 }
 
-bool Rows::covers(int contact_id) const {
+bool Rows::covers(const Contact& contact) const {
     for (int c = 0; c < contacts_.count; ++c) {
-        if (contacts_.items[c].id == contact_id) return true;
+        if (are_of_one_pair(contacts_.items[c], contact)) return true;
     }
     return false;
 }
@@ -496,7 +582,12 @@ void Rows::store(double length, HeldContacts& held) const {
     for (int c = 0; c < contacts_.count; ++c) {
         const Contact& contact = contacts_.items[c];
         const double* p = impulse_.data() + first_row(c);
-        held.items[c] = {contact.id, contact.body, contact.point, Vec3(p[1], p[0], p[2]) / length};
+        held.items[c] = {contact.id,
+                         contact.body,
+                         contact.other_body,
+                         contact.point,
+                         contact.surface.axis[0],
+                         Vec3(p[0], p[1], p[2]) / length};
     }
 }
 

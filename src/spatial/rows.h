@@ -1,12 +1,12 @@
 #pragma once
 
-// Contacts with the ground and stops of the joints as rows: rates u+ = u- + W p with impulses p
-// (spatial/README.md 5 and 6). Impacts are solved as impulses, resting and sliding as forces that
-// are constant over a step.
+// Contacts with the ground or between parts and stops of the joints as rows: rates u+ = u- + W p
+// with impulses p (spatial/README.md 5 and 6). Impacts are solved as impulses, resting and sliding
+// as forces that are constant over a step.
 
 #include "spatial/cone_solver.h"
+#include "spatial/contacts.h"
 #include "spatial/evaluation.h"
-#include "spatial/ground_contacts.h"
 
 #include <vector>
 
@@ -25,8 +25,10 @@ struct HeldContacts {
     struct Item {
         int id = 0;  // Contact::id
         int body = 0;
-        Vec3 point = Vec3::Zero();  // m, of the body
-        Vec3 force = Vec3::Zero();
+        int other_body = -1;
+        Vec3 point = Vec3::Zero();    // m, of the body
+        Vec3 normal = Vec3::UnitY();  // in the axes of the other body
+        Vec3 force = Vec3::Zero();    // along the axes of Contact::surface
     };
     int count = 0;
     Item items[kMostContacts];
@@ -91,7 +93,8 @@ public:
 
     int contact_count() const { return contacts_.count; }
     const Contact& contact(int index) const { return contacts_.items[index]; }
-    bool covers(int contact_id) const;
+    // Whether the contact, or another one of its pair of parts, is selected.
+    bool covers(const Contact& contact) const;
     double normal_impulse(int contact) const { return impulse_[first_row(contact)]; }
     // Kinetic energy that an impact took at a contact, J.
     double impact_loss(int contact) const;
@@ -99,6 +102,10 @@ public:
     void store(double length, HeldContacts& held) const;
 
 private:
+    Vec3 met_place(const Kinematics& k, int contact) const {
+        const int b = contacts_.items[contact].other_body;
+        return k.place[b] + k.turn[b] * met_[contact];
+    }
     static std::size_t first_row(int contact) { return 3 * static_cast<std::size_t>(contact); }
     int row_count() const { return 3 * contacts_.count + static_cast<int>(stops_.size()); }
     std::size_t index_of(int row, int column) const {
@@ -109,6 +116,8 @@ private:
     double at(int row, int column) const { return matrix_[index_of(row, column)]; }
     bool add_stops(const Moment& moment, double length);
     void build(const Model& model, const Evaluation& middle, double tangent_softness);
+    void place_contacts(const Kinematics& middle);
+    void soften(const Model& model, const Kinematics& middle, double tangent_softness);
     void eliminate(const Model& model, const Evaluation& middle, int row);
     void set_step_bias(const Model& model, const Vec3& gravity, const Evaluation& middle,
                        double length);
@@ -121,12 +130,15 @@ private:
     void absorb_one(const Model& model, const Evaluation& middle, Change& change);
 
     ContactSet contacts_;
-    Vec3 guess_[kMostContacts];  // N, force of the last step
+    Vec3 guess_[kMostContacts];  // N, force of the last step, along the axes of the surface
+    // The point of the other body that the contact meets in the middle, m, in its axes.
+    Vec3 met_[kMostContacts];
     std::vector<Stop> stops_;
     ConeSolver solver_;
     double friction_ = 0.0;       // of the present problem
     std::vector<Six> direction_;  // of the rows of contacts, in the middle
-    std::vector<int> body_;       // whose path to the root a row has
+    std::vector<int> body_;       // on which a row acts
+    std::vector<int> other_;      // on which it acts back, or -1
     std::vector<double> path_;    // of each row, what its unit impulse does at the degrees
     std::vector<double> root_;    // and at the root, times the inverse of its factor
     std::vector<double> matrix_;  // softened

@@ -1,7 +1,9 @@
 #include "spatial/spatial_scene.h"
 
 #include "core/assert.h"
+#include "spatial/ground_contacts.h"
 #include "spatial/joints.h"
+#include "spatial/self_contacts.h"
 #include "spatial/step_control.h"
 
 #include <fmt/core.h>
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace cambrian::spatial {
 namespace {
@@ -39,11 +42,12 @@ class SpatialScene final : public PhysicsScene {
 public:
     SpatialScene(const Model& model, const Environment& environment, const SceneSettings& settings,
                  const Integrator& integrator)
-        : motor_frequency_(settings.motor_frequency),
+        : settings_(settings),
+          integrator_(&integrator),
           model_(model),
           control_(model, integrator, settings) {
         state_.motion = rest_motion(model_);
-        state_.drive.frequency = motor_frequency_;
+        state_.drive.frequency = settings.motor_frequency;
         state_.drive.speed_limit = settings.motor_speed_limit;
         use_environment(environment);
         evaluate_here();
@@ -171,7 +175,8 @@ private:
     void use_environment(const Environment& environment);
     void evaluate_here();
 
-    double motor_frequency_;
+    SceneSettings settings_;
+    const Integrator* integrator_;
     Model model_;
     // The body whose joint a part has, or -1.
     std::array<int, kMostParts> leads_ = joints_of(model_);
@@ -244,7 +249,11 @@ SceneStatus SpatialScene::advance(double duration) {
 }
 
 void SpatialScene::use_environment(const Environment& environment) {
-    environment_ = environment;
+    const bool had_contact = std::exchange(environment_, environment).self_contact;
+    if (environment.self_contact != had_contact) {
+        let_parts_touch(model_, environment.self_contact);
+        control_ = StepControl(model_, *integrator_, settings_);
+    }
     if (environment.density != model_.density) {
         // The motion keeps its velocities, so its angular momentum scales as well.
         const double factor = environment.density / model_.density;
@@ -273,7 +282,7 @@ void SpatialScene::set_environment(const Environment& environment) {
 
 void SpatialScene::set_motors_off(bool off) {
     motors_off_ = off;
-    state_.drive.frequency = off ? 0.0 : motor_frequency_;
+    state_.drive.frequency = off ? 0.0 : settings_.motor_frequency;
     forcing_.ground = ground_of(environment_, off);
     state_.is_current = false;
 }
@@ -364,9 +373,10 @@ void SpatialScene::list_contacts(std::vector<SceneContact>& contacts) const {
     const Kinematics& k = state_.evaluation->kinematics;
     for (int c = 0; c < state_.held.count; ++c) {
         const HeldContacts::Item& held = state_.held.items[c];
-        if (!(held.force.y() > 0.0)) continue;
+        if (!(held.force.x() > 0.0)) continue;
+        const int other = held.other_body;
         contacts.push_back({center() + k.place[held.body] + k.turn[held.body] * held.point,
-                            Vec3::UnitY(), held.force.y()});
+                            other < 0 ? held.normal : k.turn[other] * held.normal, held.force.x()});
     }
 }
 
@@ -377,6 +387,7 @@ void SpatialScene::list_impacts(std::vector<SceneImpact>& impacts) const {
         if (!(noted.impulse > 0.0)) continue;
         impacts.push_back({.point = noted.point / noted.impulse,
                            .part = noted.part,
+                           .other_part = noted.other_part,
                            .impulse = noted.impulse,
                            .lost = noted.lost});
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 // Physics in space behind the interface of scenes (world/physics_scene.h): bodies in a medium and
-// on the ground, whose parts do not touch one another yet.
+// on the ground, whose parts touch one another if the environment has it.
 
 #include "core/result.h"
 #include "world/scene_kind.h"

@@ -69,18 +69,30 @@ void update_audit(const Model& model, const Medium& medium, State& state) {
     audit.energy_scale = audit.gross_motor_work + model.mass * gravity * step_policy::kScaleHeight;
 }
 
-// Touches the lowest of the three faces that have the corner.
-void note_touch(const Model& model, const Kinematics& k, const Contact& contact, State& state) {
-    const Part& part = model.parts[contact.part()];
-    const Turn axes = k.turn[part.body] * part.turn;
-    int lowest = 0;
+// Touches the face of a part whose normal is nearest to a direction in the world.
+void touch_toward(const Model& model, const Kinematics& k, int index, const Vec3& direction,
+                  State& state) {
+    const Part& part = model.parts[index];
+    const Vec3 along = (k.turn[part.body] * part.turn).back(direction);
+    int nearest = 0;
     for (int a = 1; a < 3; ++a) {
-        if (std::fabs(axes.axis[a].y()) > std::fabs(axes.axis[lowest].y())) lowest = a;
+        if (std::fabs(along[a]) > std::fabs(along[nearest])) nearest = a;
     }
     constexpr Face kFaces[3][2] = {
         {Face::kProximal, Face::kDistal}, {Face::kRight, Face::kLeft}, {Face::kBack, Face::kFront}};
-    const Face face = kFaces[lowest][axes.axis[lowest].y() < 0.0 ? 1 : 0];
-    state.touched[contact.part()] |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(face));
+    const Face face = kFaces[nearest][along[nearest] > 0.0 ? 1 : 0];
+    state.touched[index] |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(face));
+}
+
+// Touches the faces of both parts, and adds the normal impulse to their loads.
+void note_touch(const Model& model, const Kinematics& k, const Contact& contact, double impulse,
+                State& state) {
+    const Vec3 normal = surface_of(k, contact).axis[0];
+    touch_toward(model, k, contact.part, -normal, state);
+    state.load[contact.part] += impulse;
+    if (contact.is_on_ground()) return;
+    touch_toward(model, k, contact.other_part, normal, state);
+    state.load[contact.other_part] += impulse;
 }
 
 }  // namespace
@@ -192,10 +204,7 @@ SceneStatus StepControl::step(Tick& tick) {
 }
 
 void StepControl::detect(const Tick& tick, const Motion& motion, const Kinematics& kinematics) {
-    if (tick.forcing.ground.is_there)
-        detect_ground(tick.model, motion, kinematics, near_);
-    else
-        near_.count = 0;
+    detect_contacts(tick.model, tick.forcing.ground.is_there, motion, kinematics, near_);
 }
 
 bool StepControl::has_impact() const {
@@ -334,15 +343,19 @@ void StepControl::note_impacts(Tick& tick) {
     for (int c = 0; c < rows_.contact_count(); ++c) {
         const Contact& contact = rows_.contact(c);
         const double impulse = rows_.normal_impulse(c);
-        note_touch(tick.model, k, contact, state);
-        state.load[contact.part()] += impulse;
+        note_touch(tick.model, k, contact, impulse, state);
         NotedImpact* const end = state.impacts + state.impact_count;
-        NotedImpact* noted = std::find_if(
-            state.impacts, end, [&](const NotedImpact& each) { return each.body == contact.body; });
+        NotedImpact* noted = std::find_if(state.impacts, end, [&](const NotedImpact& each) {
+            return std::minmax(each.body, each.other_body) ==
+                   std::minmax(contact.body, contact.other_body);
+        });
         if (noted == end) {
             if (state.impact_count == static_cast<int>(kMostImpacts)) continue;
             ++state.impact_count;
-            *noted = {.body = contact.body, .part = contact.part()};
+            *noted = {.body = contact.body,
+                      .other_body = contact.other_body,
+                      .part = contact.part,
+                      .other_part = contact.other_part};
         }
         noted->impulse += impulse;
         noted->lost += rows_.impact_loss(c);
@@ -404,7 +417,7 @@ void StepControl::accept_part(Tick& tick, bool has_rows, double h) {
         first_ = state.rate;
         last_ = result_.end_rate;
     }
-    const StepEnds ends{state.motion, first_, result_.end, last_, h};
+    const StepEnds ends{state.motion, first_, result_.end, last_, h, tick.forcing.ground.is_there};
     const double share = find_impact(tick.model, ends, rows_, near_, part_, end_->kinematics);
     work_ = rows_.work(tick.model, state.motion, state.evaluation->kinematics, part_,
                        end_->kinematics, h);
@@ -433,8 +446,7 @@ void StepControl::add_to_audit(Tick& tick, double share) {
         const Contact& contact = rows_.contact(c);
         const double impulse = rows_.normal_impulse(c);
         if (contact.gap >= kContactBand && !(impulse > 0.0)) continue;
-        note_touch(tick.model, state.evaluation->kinematics, contact, state);
-        state.load[contact.part()] += share * impulse;
+        note_touch(tick.model, state.evaluation->kinematics, contact, share * impulse, state);
     }
 }
 

@@ -10,10 +10,12 @@
 
 namespace cambrian::spatial {
 
-// The impacts of a body on the ground in one tick.
+// The impacts of a body on the ground, or of two bodies, in one tick.
 struct NotedImpact {
     int body = 0;
-    int part = 0;               // that of the first contact
+    int other_body = -1;
+    int part = 0;  // those of the first contact
+    int other_part = -1;
     double impulse = 0.0;       // N s, sum of the normal impulses
     double lost = 0.0;          // J, kinetic energy
     Vec3 point = Vec3::Zero();  // m, world; sum weighted by the impulse

@@ -11,7 +11,7 @@ NewContact deepest_new_contact(const ContactSet& near, const Rows& selected) {
         const Contact& contact = near.items[c];
         if (!is_impact(contact.gap, contact.closing_speed()) || contact.gap >= deepest.gap)
             continue;
-        if (selected.covers(contact.id)) continue;
+        if (selected.covers(contact)) continue;
         deepest = {true, contact.gap, contact.closing_speed()};
     }
     return deepest;
@@ -49,7 +49,7 @@ double find_impact(const Model& model, const StepEnds& step, const Rows& selecte
     const auto look = [&](double share) {
         interpolate_motion(model, step, share, motion);
         compute_kinematics(model, motion, kinematics);
-        detect_ground(model, motion, kinematics, near);
+        detect_contacts(model, step.has_ground, motion, kinematics, near);
         return deepest_new_contact(near, selected);
     };
     double low = 0.0;

@@ -15,6 +15,7 @@ struct StepEnds {
     const Motion& end;
     const MotionRate& end_rate;
     double length = 0.0;  // s
+    bool has_ground = false;
 };
 
 // `share` is in [0, 1] of the step.

@@ -21,6 +21,8 @@ struct Environment {
     // Coefficient of Coulomb friction, at least 0, for ground and self-contact.
     double friction = 0.8;
     double elasticity = 0.2;  // coefficient of restitution, in [0, 1]
+    // Whether parts touch one another in three dimensions. In the plane they always do.
+    bool self_contact = false;
     double viscosity_linear =
         0.0;  // N s/m^2 per length of a face (N s/m^3 in 3D); drag per normal speed
     double viscosity_quadratic =

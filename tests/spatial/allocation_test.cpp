@@ -12,8 +12,9 @@ TEST_CASE("Advancing in space allocates nothing", "[allocation]") {
             const BodyPlan plan = random_solid(random, 12, 25e3);
             SceneSettings settings;
             settings.integrator = integrator;
-            const auto scene =
-                make_solid(plan, on_ground ? spatial_ground(0.8, 0.2) : spatial_water(), settings);
+            Environment environment = on_ground ? spatial_ground(0.8, 0.2) : spatial_water();
+            environment.self_contact = true;
+            const auto scene = make_solid(plan, environment, settings);
             if (on_ground) scene->translate({0.0, 0.3 - scene->lowest_point(), 0.0});
             std::size_t allocations = 0;
             for (int tick = 0; tick < 300; ++tick) {
@@ -23,7 +24,7 @@ TEST_CASE("Advancing in space allocates nothing", "[allocation]") {
                 allocations += test::allocation_count() - before;
             }
             CHECK(allocations == 0);
-            CHECK((scene->audit().events > 0) == on_ground);
+            CHECK(scene->audit().events > 0);
         }
     }
 }

@@ -109,11 +109,11 @@ std::unique_ptr<PhysicsScene> make_solid(const BodyPlan& plan, const Environment
     return *std::move(scene);
 }
 
-void swing(PhysicsScene& scene, const BodyPlan& plan) {
+void swing(PhysicsScene& scene, const BodyPlan& plan, double fastest) {
     for (std::size_t part = 1; part < plan.parts.size(); ++part) {
         for (std::size_t d = 0; d < degrees_of(plan.parts[part]); ++d) {
             const double number = static_cast<double>(3 * part + d);
-            const double frequency = 0.3 + 0.7 * number / (number + 5.0);
+            const double frequency = fastest * (0.3 + 0.7 * number / (number + 5.0));
             const DegreeLimits limits = limits_of(plan.parts[part], d);
             scene.set_target(
                 JointDegree{static_cast<std::uint16_t>(part), static_cast<std::uint8_t>(d)},

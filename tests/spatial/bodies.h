@@ -30,8 +30,8 @@ Environment spatial_ground(double friction, double elasticity);
 std::unique_ptr<PhysicsScene> make_solid(const BodyPlan& plan, const Environment& environment,
                                          const SceneSettings& settings = {});
 
-// Sets the target of every degree of freedom to a sine of up to 1 Hz of its own.
-void swing(PhysicsScene& scene, const BodyPlan& plan);
+// Sets the target of every degree of freedom to a sine of its own, of up to this frequency (Hz).
+void swing(PhysicsScene& scene, const BodyPlan& plan, double fastest = 1.0);
 
 // Advances by so many ticks, which must succeed.
 void run_ticks(PhysicsScene& scene, int ticks);
