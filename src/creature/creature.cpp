@@ -5,6 +5,15 @@
 #include <algorithm>
 
 namespace cambrian {
+namespace {
+
+// The reading of a held sensor: its memory, which begins with it.
+double read_memory(const SensorSite& /*site*/, double& memory) {
+    return memory;
+}
+
+}  // namespace
+
 Creature::Creature(const Phenotype& phenotype, const Kinds& kinds, const SceneSettings& settings)
     : phenotype_(&phenotype),
       kinds_(&kinds),
@@ -13,6 +22,7 @@ Creature::Creature(const Phenotype& phenotype, const Kinds& kinds, const SceneSe
       sensor_memory_(phenotype.sensors.size(), 0.0),
       effector_memory_(phenotype.effectors.size(), 0.0),
       organ_memory_(phenotype.organs.size(), 0.0) {
+    remember_held();
     readers_.reserve(phenotype.sensors.size());
     drivers_.reserve(phenotype.effectors.size());
     for (std::size_t i = 0; i < phenotype.effectors.size(); ++i) {
@@ -34,9 +44,14 @@ Creature::Creature(const Phenotype& phenotype, const Kinds& kinds, const SceneSe
     emissions_.scents.reserve(scents);
 }
 
+void Creature::remember_held() {
+    for (std::size_t i = 0; i < sensor_memory_.size(); ++i)
+        sensor_memory_[i] = phenotype_->sensors[i].held.value_or(0.0);
+}
+
 void Creature::reset() {
     brain_.reset();
-    std::fill(sensor_memory_.begin(), sensor_memory_.end(), 0.0);
+    remember_held();
     std::fill(effector_memory_.begin(), effector_memory_.end(), 0.0);
     std::fill(organ_memory_.begin(), organ_memory_.end(), 0.0);
     emissions_.clear();
@@ -59,7 +74,8 @@ void Creature::prepare(const BodyView& body, const Surroundings& surroundings, d
     for (const WiredSensor& sensor : phenotype_->sensors) {
         const SensorKind& kind = kinds_->sensors[sensor.kind];
         const double share = smoothing_share(dt, kind.time_constant);
-        readers_.push_back({kind.read, sensor.scale, site_of(sensor, body, surroundings, share)});
+        readers_.push_back({sensor.held ? read_memory : kind.read, sensor.scale,
+                            site_of(sensor, body, surroundings, share)});
     }
 }
 

@@ -62,6 +62,7 @@ private:
     };
 
     void prepare(const BodyView& body, const Surroundings& surroundings, double dt);
+    void remember_held();
     void sense();
     void drive(PhysicsScene& scene);
     void use_organs(PhysicsScene& scene, double dt);

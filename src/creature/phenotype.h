@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace cambrian {
@@ -49,6 +50,9 @@ struct WiredSensor {
     int handedness = 1;
     double scale = 1.0;  // 1 / length of the part for a sliding joint, otherwise 1
     int depth_sign = 1;  // of the part
+    // The constant that it reads whatever happens, in its own unit, to see what the creature loses
+    // without it. No gene sets it.
+    std::optional<double> held = {};
 };
 
 // An organ of a part.

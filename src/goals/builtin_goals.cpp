@@ -8,6 +8,7 @@ void register_swimming(GoalRegistry& goals);
 void register_seeking(GoalRegistry& goals);
 void register_flying(GoalRegistry& goals);
 void register_competition(GoalRegistry& goals);
+void register_escape(GoalRegistry& goals);
 
 GoalRegistry builtin_goals() {
     GoalRegistry goals;
@@ -17,6 +18,7 @@ GoalRegistry builtin_goals() {
     register_seeking(goals);
     register_flying(goals);
     register_competition(goals);
+    register_escape(goals);
     return goals;
 }
 

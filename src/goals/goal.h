@@ -39,9 +39,12 @@ struct GoalKind {
     // Returns the environment in which the goal makes sense.
     Environment (*default_environment)() = nullptr;
     TrialSettings default_trial = {};  // default protocol of the goal's trials
-    // Ids of sensor channels of light. If any are listed, the goal needs a light in the environment
-    // and at least one of these channels enabled.
+    // Ids of sensor channels. If any are listed, the goal needs at least one of them enabled and,
+    // if they are of light, a light in the environment.
     std::vector<std::string> senses = {};
+    // Usual senses that are off by default, since selection would hardly find those above among
+    // them.
+    std::vector<std::string> distractions = {};
     // Allows early termination of trials, which extrapolates from the best speed so far.
     bool may_give_up = true;
     // Default of early termination: whether that saves a noticeable share of the time.

@@ -47,6 +47,11 @@ std::string needs_jumping_light(const Environment& environment) {
     return {};
 }
 
+std::string needs_wall(const Environment& environment) {
+    if (!environment.has_wall) return "there is no wall to get away from";
+    return needs_level_ground(environment);
+}
+
 std::string needs_water(const Environment& environment) {
     if (is_thin(environment)) return "the medium has no viscosity to push off from";
     if (environment.has_ground) return "there is ground to crawl on";

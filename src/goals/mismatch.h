@@ -14,6 +14,9 @@ std::string needs_ground(const Environment& environment);
 // For contests, which also need ground that does not slope to one side.
 std::string needs_level_ground(const Environment& environment);
 
+// For goals that need a wall on one side, and ground to walk away on.
+std::string needs_wall(const Environment& environment);
+
 // For goals that need a medium to push against, without ground and without falling.
 std::string needs_water(const Environment& environment);
 

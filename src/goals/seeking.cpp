@@ -34,19 +34,9 @@ std::vector<double> leg_shares(const TrialRecord& record) {
     return shares;
 }
 
-// Returns the mean of the smaller half. The median of an odd number of shares has half weight.
-double mean_of_worst_half(std::vector<double> shares) {
-    std::sort(shares.begin(), shares.end());
-    const std::size_t half = shares.size() / 2;
-    double sum = shares.size() % 2 == 0 ? 0.0 : 0.5 * shares[half];
-    for (std::size_t i = 0; i < half; ++i)
-        sum += shares[i];
-    return sum / (0.5 * static_cast<double>(shares.size()));
-}
-
 double score_of_legs(std::span<const double> shares) {
     if (shares.empty()) return 0.0;
-    return 0.5 * mean(shares) + 0.5 * mean_of_worst_half({shares.begin(), shares.end()});
+    return 0.5 * mean(shares) + 0.5 * mean_of_worse_half({shares.begin(), shares.end()});
 }
 
 Score score_seeking(const TrialRecord& record) {

@@ -2,8 +2,11 @@
 
 namespace cambrian {
 
-// Digests of genes include channel numbers in this order, so new kinds must be added at the end.
-SensorRegistry builtin_sensors() {
+namespace {
+
+// Digests of genes include channel numbers in this order, so new kinds must be added at the end of
+// one of the two lists below.
+SensorRegistry common_sensors() {
     SensorRegistry sensors;
     add_joint_sensor(sensors);
     add_contact_sensor(sensors);
@@ -22,8 +25,16 @@ SensorRegistry builtin_sensors() {
     return sensors;
 }
 
+}  // namespace
+
+SensorRegistry builtin_sensors() {
+    SensorRegistry sensors = common_sensors();
+    add_obstacle_sensor(sensors);
+    return sensors;
+}
+
 SensorRegistry spatial_sensors() {
-    SensorRegistry sensors = builtin_sensors();
+    SensorRegistry sensors = common_sensors();
     add_second_degree_sensor(sensors);
     add_flat_contact_sensor(sensors);
     return sensors;

@@ -28,6 +28,19 @@ double read_sound(const SensorSite& site, double& /*memory*/) {
     return limited_reading(site.surroundings.sound(center, static_cast<int>(site.channel)));
 }
 
+// Returns 1 at an obstacle and 0 from the end of reach on. The logarithm leaves the nearer half of
+// the readings to the nearest 3 m and still tells farther sides apart.
+double nearness(double distance) {
+    constexpr double kReach = 16.0;  // m
+    if (!(distance < kReach)) return 0.0;
+    return 1.0 - logarithm(1.0 + distance) / logarithm(1.0 + kReach);
+}
+
+double read_obstacle(const SensorSite& site, double& /*memory*/) {
+    const int direction = (site.channel == 0 ? -1 : 1) * site.handedness;
+    return nearness(site.surroundings.obstacle(site.body.part_center(site.index), direction));
+}
+
 // Returns the reading of a nose at a concentration: its logarithm, so that the difference of two
 // noses is the same however strong the smell is.
 double smell_reading(double concentration) {
@@ -61,6 +74,22 @@ void add_light_sensor(SensorRegistry& sensors) {
                  .read = read_light,
                  .spot = light_spot,
                  .sees = true,
+                 .usual = false});
+}
+
+// Obstacles from afar: how near one is to the left and to the right of the part's centre, in the
+// world. Left and right are exchanged on mirrored parts.
+void add_obstacle_sensor(SensorRegistry& sensors) {
+    sensors.add({.id = "obstacle",
+                 .label = "Obstacles",
+                 .group = "Obstacles",
+                 .channels = {{"obstacle-left", "Obstacle to the left"},
+                              {"obstacle-right", "Obstacle to the right"}},
+                 .read = read_obstacle,
+                 .spot =
+                     [](std::size_t channel, int handedness) {
+                         return Vec3(0.0, (channel == 0 ? 0.5 : -0.5) * handedness, 0.0);
+                     },
                  .usual = false});
 }
 

@@ -22,5 +22,6 @@ void add_smell_sensor(SensorRegistry& sensors);
 void add_stretch_sensor(SensorRegistry& sensors);
 void add_food_smell_sensor(SensorRegistry& sensors);
 void add_hunger_sensor(SensorRegistry& sensors);
+void add_obstacle_sensor(SensorRegistry& sensors);
 
 }  // namespace cambrian

@@ -160,6 +160,11 @@ void Trial::begin_test() {
     if (progress_.settling && world_.trial.settle_motors_off) set_motors_off(false);
     progress_.settling = false;
     if (bout_) bout_->begin(*scene_);
+    if (world_.environment.has_wall) {
+        progress_.wall = draw_side_wall(world_.environment, world_.light, scene_->bounds());
+        progress_.record.wall_side = progress_.wall->side;
+        put_up_wall();
+    }
     scene_->restart_audit();
     for (const JointDegree& effector : phenotype_->effectors) {
         progress_.reversals.emplace_back(scene_->joint_coordinate(effector));
@@ -167,6 +172,11 @@ void Trial::begin_test() {
     watch_body();
     sample();
     if (test_length_ == 0) finish();
+}
+
+void Trial::put_up_wall() {
+    surroundings_.set_wall(wall());
+    scene_->set_fixed_boxes(progress_.wall ? std::span(wall(), 1) : std::span<const FixedBox>());
 }
 
 double Trial::distance_to_light() const {
@@ -307,12 +317,14 @@ Trial::State Trial::save() const {
 }
 
 void Trial::restore(const State& state) {
+    const bool had_wall = progress_.wall.has_value();
+    progress_ = state.progress;
+    if (had_wall || progress_.wall) put_up_wall();
     set_motors_off(state.progress.settling && world_.trial.settle_motors_off);
     scene_->restore(*state.scene);
     if (bout_) bout_->restore(*state.bout, *scene_);
     creature_.restore(state.creature);
     surroundings_.restore(state.surroundings);
-    progress_ = state.progress;
 }
 
 void Trial::poll_cancel(const std::stop_token& stop) {

@@ -13,6 +13,7 @@
 #include "simulator/rest_watch.h"
 #include "simulator/reversals.h"
 #include "simulator/settings/trial_settings.h"
+#include "simulator/surroundings/side_wall.h"
 #include "simulator/surroundings/trial_surroundings.h"
 #include "simulator/trial_record.h"
 #include "world/environment.h"
@@ -50,6 +51,7 @@ class Trial {
         Hash64 digest = {};
         std::vector<ReversalCounter> reversals = {};  // one per effector
         RestWatch rest;
+        std::optional<SideWall> wall = {};  // during the test of a world with one
         std::uint64_t total_ticks = 0;
         std::uint64_t test_ticks = 0;
         int calm_ticks = 0;
@@ -90,6 +92,8 @@ public:
     // The cube and the opponent of a contest; null in other trials.
     const Bout* bout() const { return bout_.get(); }
     const TrialSurroundings& surroundings() const { return surroundings_; }
+    // The wall on one side, or null before the test and in worlds without one.
+    const FixedBox* wall() const { return progress_.wall ? &progress_.wall->box : nullptr; }
     // Changes the environment of the scene and the sensors from the next tick on, when a user edits
     // it. world() does not change.
     void set_environment(const Environment& environment);
@@ -130,6 +134,7 @@ private:
     void settle_tick();
     void test_tick();
     void begin_test();
+    void put_up_wall();
     void tilt_back();
     void move_light();
     void pass_on_emissions();

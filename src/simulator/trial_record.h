@@ -88,6 +88,7 @@ struct TrialRecord {
     // Against gravity, as the settings have it; away from the ground without gravity. Its x says
     // which way a slope rises.
     Vec3 up = Vec3::UnitY();
+    int wall_side = 0;          // of the wall: 1 to the right, -1 to the left, 0 for none
     double passive_sink = 0.0;  // m/s, of the environment (simulator/passive_sink.h)
     // Hz, of the joint with the highest rate; swings over 0.05 rad count.
     double reversal_rate = 0.0;

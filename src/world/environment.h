@@ -40,6 +40,10 @@ struct Environment {
     double light_period = 5.0;           // s between two jumps
     bool deaf = false;                   // nobody hears anything
     bool scentless = false;              // nobody smells anything
+    bool has_wall = false;               // a wall on one side, which each trial draws
+    double wall_nearest = 3.0;           // m from the body at the start; least distance, positive
+    double wall_farthest = 5.0;          // m; greatest, not below it
+    bool numb = false;                   // nobody senses walls from afar
     int dimensions = 2;                  // or 3, where there is neither ground nor light yet
 
     friend bool operator==(const Environment&, const Environment&) = default;

@@ -4,6 +4,8 @@
 
 #include "math/types.h"
 
+#include <limits>
+
 namespace cambrian {
 
 // The direction and intensity of light at one point.
@@ -23,6 +25,11 @@ public:
     virtual double sound(const Vec3& point, int band) const = 0;
     // Returns the concentration of scent, at least 0.
     virtual double scent(const Vec3& point) const = 0;
+    // Returns the distance in m to an obstacle to the right (+x, direction 1) or to the left (-1);
+    // infinity if there is none.
+    virtual double obstacle(const Vec3& /*point*/, int /*direction*/) const {
+        return std::numeric_limits<double>::infinity();
+    }
     // The following are 0 where nothing is eaten.
     // Return the concentration of the smell of plants and of flesh, at least 0.
     virtual double plant_smell(const Vec3& /*point*/) const { return 0.0; }

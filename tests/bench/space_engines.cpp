@@ -329,6 +329,8 @@ std::vector<SpaceEngineKind> space_engines() {
     return {{"cambrian"}, {"mujoco", default_steps}, {"mujoco-coarse", fewest_steps}};
 }
 
+}  // namespace
+
 // ---- Runs: the two parts that are counted, never inlined so that a profiler can name them ----
 
 [[gnu::noinline]] std::unique_ptr<SpaceEngine> build_scene(const SpaceEngineKind& kind,
@@ -343,6 +345,8 @@ std::vector<SpaceEngineKind> space_engines() {
     for (std::size_t tick = 0; tick < ticks; ++tick)
         engine.advance_tick(creature, tick);
 }
+
+namespace {
 
 // Returns the CPU time of one simulated second, in microseconds, as the mean of the creatures.
 double time_engine(const SpaceOptions& options, const SpaceEngineKind& kind,

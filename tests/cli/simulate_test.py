@@ -81,6 +81,16 @@ class Simulate(ProgramTest):
         self.assertNotIn("light_x", rows[0])
         self.assertGreater(max(float(row["part0_stretch"]) for row in rows), 0.2)
 
+    def test_what_is_left_without_senses_is_told(self):
+        sample = ROOT / "assets/creatures/dodger.creature.json"
+        text = self.run_well("simulate", sample, "--senses").stdout
+        self.assertRegex(text, r"senses: 0\.0\d+ BL/s \(\d % of 0\.9\d*\) is left")
+        self.assertIn("obstacle-left of part", text)
+        report = json.loads(self.run_well("simulate", sample, "--senses", "--json").stdout)
+        self.assertLess(report["senses"]["without_all"], 0.2 * report["senses"]["intact"])
+        self.assertEqual({"sensor", "part", "constant", "fitness"},
+                         set(report["senses"]["each"][0]))
+
     def test_a_creature_can_be_put_in_another_world(self):
         self.evolve_champion()
         self.write("moon.toml", "[environment]\ngravity = 1.62\n[trial]\nduration = 2\n")

@@ -67,8 +67,10 @@ void put(const SettingField& field, ExperimentSettings& settings, double value) 
     if (auto* const* flag = std::get_if<bool*>(&ref)) **flag = value != 0.0;
 }
 
-// Puts the two distances of the lamp's jumps in order, which the settings ask for.
-void order_jumps(Environment& environment) {
+// Puts the two distances of the lamp's jumps and of the wall in order, which the settings ask for.
+void order_distances(Environment& environment) {
+    if (environment.wall_nearest > environment.wall_farthest)
+        std::swap(environment.wall_nearest, environment.wall_farthest);
     if (environment.light_nearest > environment.light_farthest)
         std::swap(environment.light_nearest, environment.light_farthest);
 }
@@ -97,7 +99,7 @@ TEST_CASE("every setting of the physics at either end of its range gives a verdi
                 settings.world.trial.settle_limit = 0.5;
                 const double longest = 60.0;  // s; longer trials would only take longer
                 put(field, settings, field.key == "duration" ? std::min(value, longest) : value);
-                order_jumps(settings.world.environment);
+                order_distances(settings.world.environment);
                 INFO(field.key << " = " << value << ", creature " << creature);
                 judged(creature == 0 ? test::crawler(test::kind_catalog())
                                      : random_creature(random, settings.founders),
@@ -116,7 +118,7 @@ TEST_CASE("random extremes of the world, the physics and the body give a verdict
         ExperimentSettings settings;
         for (const SettingField& field : fields_of_trials())
             put_extreme(field, settings, random);
-        order_jumps(settings.world.environment);
+        order_distances(settings.world.environment);
         settings.world.trial.duration = random.chance(0.1) ? 0.0 : 0.3;
         settings.world.trial.settle_limit = random.chance(0.5) ? 0.0 : 0.3;
         settings.world.scene.max_evaluations = random.chance(0.2) ? 1e3 : 2e4;

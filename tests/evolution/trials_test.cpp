@@ -75,6 +75,15 @@ TEST_CASE("the score is the mean or the minimum of the trials", "[evolution][tri
     CHECK(judge(robust(1, "minimum")).fitness == single.front());
 }
 
+TEST_CASE("the worse half counts nine times as much as the mean", "[evolution][trials]") {
+    std::vector<double> single = scores(robust(4, "mean"));
+    const double mean = std::accumulate(single.begin(), single.end(), 0.0) / 4.0;
+    std::sort(single.begin(), single.end());
+    CHECK(judge(robust(4, "worse half")).fitness ==
+          Approx(0.1 * mean + 0.9 * 0.5 * (single[0] + single[1])));
+    CHECK(judge(robust(1, "worse half")).fitness == scores(robust(1, "mean")).front());
+}
+
 TEST_CASE("several trials have a digest of their own, the same every time", "[evolution][trials]") {
     const EvaluationResult three = judge(robust(3, "mean"));
     CHECK(three.digest == judge(robust(3, "mean")).digest);

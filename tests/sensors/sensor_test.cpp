@@ -70,13 +70,13 @@ TEST_CASE("channels have the absolute numbers genes rely on", "[sensors]") {
             channels.push_back(channel.id);
     }
     CHECK(channels == std::vector<std::string>{
-                          "joint",         "contact-distal", "contact-left", "contact-proximal",
-                          "contact-right", "accel-along",    "accel-across", "joint-rate",
-                          "effort",        "spin",           "up-along",     "up-across",
-                          "load",          "light-along",    "light-across", "light",
-                          "sound-1",       "sound-2",        "sound-3",      "sound-4",
-                          "smell",         "stretch",        "stretch-rate", "smell-food",
-                          "smell-flesh",   "energy"});
+                          "joint",         "contact-distal", "contact-left",  "contact-proximal",
+                          "contact-right", "accel-along",    "accel-across",  "joint-rate",
+                          "effort",        "spin",           "up-along",      "up-across",
+                          "load",          "light-along",    "light-across",  "light",
+                          "sound-1",       "sound-2",        "sound-3",       "sound-4",
+                          "smell",         "stretch",        "stretch-rate",  "smell-food",
+                          "smell-flesh",   "energy",         "obstacle-left", "obstacle-right"});
 }
 
 TEST_CASE("only joint and contact sensors are used unless settings say otherwise", "[sensors]") {

@@ -14,10 +14,11 @@ using namespace cambrian;
 
 namespace {
 
+// Obstacles are to the left or right in the world, which is the same upside down.
 FounderSettings all_senses() {
     FounderSettings founders;
     for (const ChannelEntry& channel : test::creature_kinds().catalog.channels)
-        founders.channels[channel.id] = true;
+        founders.channels[channel.id] = channel.id.find("obstacle") == std::string::npos;
     return founders;
 }
 

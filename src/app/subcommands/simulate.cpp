@@ -7,6 +7,7 @@
 #include "app/trial/creature_world.h"
 #include "app/trial/motion_trace.h"
 #include "app/trial/score_notice.h"
+#include "app/trial/sense_report.h"
 #include "app/trial/trial_report.h"
 #include "core/files/output_stream.h"
 #include "core/text/number_text.h"
@@ -32,6 +33,7 @@ struct SimulateOptions {
     std::optional<double> tolerance;
     std::optional<int> repeat;
     std::vector<std::string> sets;
+    bool senses = false;
     bool json = false;
 };
 
@@ -48,6 +50,16 @@ Result<ExperimentSettings> settings_for(const SimulateOptions& options,
     settings->world.scene.tolerance = options.tolerance.value_or(settings->world.scene.tolerance);
     if (const Status valid = check_settings(*settings, kinds); !valid) return valid.error();
     return settings;
+}
+
+std::string json_of(const EvaluationResult& result, const std::optional<SenseLosses>& losses,
+                    const std::string& unit) {
+    return trial_json(result, unit, losses ? senses_json(*losses) : "null");
+}
+
+std::string text_of(const EvaluationResult& result, const std::optional<SenseLosses>& losses,
+                    const std::string& unit) {
+    return trial_text(result, unit) + (losses ? "\n" + senses_text(*losses, unit) : "");
 }
 
 class SimulateSubcommand final : public Subcommand {
@@ -81,6 +93,9 @@ public:
         app.add_option("--trace", options_.trace,
                        "File for every part's motion, as CSV with one row per tick (1/60 s)")
             ->type_name(option_type::kTable);
+        app.add_flag("--senses", options_.senses,
+                     "What is left of the score, in trials that no generation uses, if the senses "
+                     "read their best constants, all together and each alone");
         app.add_flag("--json", options_.json, "Output as one JSON object");
     }
     CommandFiles files() const override {
@@ -117,10 +132,15 @@ public:
             result.scores = scores_in(probes_of(*settings, 0, *options_.repeat), genome, *settings,
                                       kinds, work.stop());
         }
+        std::optional<SenseLosses> losses;
+        if (options_.senses && result.outcome == Outcome::kCompleted) {
+            work.begin("holding senses", settings->world.trial.duration);
+            losses = sense_losses(genome, *settings, kinds, work.stop());
+        }
         if (work.interrupted()) return fail({"interrupted"}, ExitStatus::kFailed);
         const std::string& unit = kinds.goals.find(settings->goal)->unit;
-        return print_result_line(options_.json ? trial_json(result, unit)
-                                               : trial_text(result, unit));
+        return print_result_line(options_.json ? json_of(result, losses, unit)
+                                               : text_of(result, losses, unit));
     }
 
 private:

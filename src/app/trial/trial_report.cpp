@@ -98,7 +98,8 @@ std::string trial_text(const EvaluationResult& result, const std::string& unit) 
     return text;
 }
 
-std::string trial_json(const EvaluationResult& result, const std::string& unit) {
+std::string trial_json(const EvaluationResult& result, const std::string& unit,
+                       const std::string& senses) {
     const std::string finer =
         result.finer ? json_object({{"outcome", quoted_text(outcome_name(result.finer->outcome))},
                                     {"fitness", real_text(result.finer->score)},
@@ -116,7 +117,8 @@ std::string trial_json(const EvaluationResult& result, const std::string& unit) 
                         {"verdict", quoted_text(verdict_name(result.verdict))},
                         {"audit", audit_json(result.audit)},
                         {"repeated", scores_json(result.scores)},
-                        {"recomputed", finer}});
+                        {"recomputed", finer},
+                        {"senses", senses}});
 }
 
 }  // namespace cambrian

@@ -10,7 +10,9 @@ namespace cambrian {
 
 // `unit` is the unit of the goal's score.
 std::string trial_text(const EvaluationResult& result, const std::string& unit);  // several lines
-std::string trial_json(const EvaluationResult& result, const std::string& unit);  // one JSON object
+// One JSON object; `senses` is its value of that name (sense_report.h).
+std::string trial_json(const EvaluationResult& result, const std::string& unit,
+                       const std::string& senses = "null");
 
 // Example: "0.41 BL/s, clean".
 std::string finer_text(const FinerResult& finer, const std::string& unit);

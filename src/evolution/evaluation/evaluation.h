@@ -24,6 +24,8 @@ struct EvaluationRequest {
     std::optional<TerminationThreshold> threshold = std::nullopt;
     std::uint64_t expected_work = 0;  // see Individual; affects only the order of evaluation
     std::optional<Probe> probe = std::nullopt;  // world that replaces the settings' one
+    // The constants that wired sensors read instead, by their number; missing ones read as usual.
+    std::vector<std::optional<double>> held = {};
 };
 
 // Runs one trial: it expresses, simulates and scores. It never throws; failures are outcomes. A

@@ -2,6 +2,7 @@
 
 #include "core/hash.h"
 #include "core/random.h"
+#include "core/sample_statistics.h"
 #include "creature/placement.h"
 #include "evolution/settings/trial_work.h"
 #include "math/angle.h"
@@ -33,22 +34,30 @@ JudgedTrial judge_jittered(const EvaluationRequest& request, const LightDraw& li
     return judge_trial(other, changed, kinds, stop);
 }
 
-// Combines the result of all trials so far with that of the next one.
-void combine(EvaluationResult& all, const EvaluationResult& next, bool minimum, double share) {
+// Adds the result of the next trial to that of all trials so far, but for the score.
+void add_trial(EvaluationResult& all, const EvaluationResult& next) {
     Hash64 digest;
     digest.add(all.digest);
     digest.add(next.digest);
     all.digest = digest.value();
     all.computed_time += next.computed_time;
     all.work += next.work;
-    if (next.outcome != Outcome::kCompleted) {
-        all.outcome = next.outcome;
-        all.reason = "in a further trial: " + next.reason;
-        all.fitness = next.fitness;  // the least
-        return;
-    }
-    all.fitness =
-        minimum ? std::min(all.fitness, next.fitness) : all.fitness + share * next.fitness;
+    if (next.outcome == Outcome::kCompleted) return;
+    all.outcome = next.outcome;
+    all.reason = "in a further trial: " + next.reason;
+    all.fitness = next.fitness;  // the least
+}
+
+// Returns the score of several trials by a rule of kCombineIds.
+double combined_score(const std::vector<double>& scores, std::string_view rule) {
+    constexpr double kShareOfMean = 0.1;
+    if (rule == "minimum") return *std::min_element(scores.begin(), scores.end());
+    const double share = 1.0 / static_cast<double>(scores.size());
+    double sum = 0.0;
+    for (const double score : scores)
+        sum += share * score;
+    if (rule == "mean") return sum;
+    return kShareOfMean * sum + (1.0 - kShareOfMean) * mean_of_worse_half(scores);
 }
 
 // Goals that judge all trials together get the score of all shares.
@@ -61,18 +70,19 @@ EvaluationResult judge_in_trials(const EvaluationRequest& request, std::uint64_t
     JudgedTrial judged = judge_trial(request, first, kinds, stop);
     EvaluationResult& all = judged.result;
     if (trials.trials == 1 || all.outcome != Outcome::kCompleted) return all;
-    const bool minimum = trials.combine == "minimum";
-    const double share = 1.0 / trials.trials;
-    if (!minimum) all.fitness *= share;
+    std::vector<double> scores = {all.fitness};
     for (int trial = 1; trial < trials.trials && all.outcome == Outcome::kCompleted; ++trial) {
         const JudgedTrial next =
             judge_jittered(request, {light_seed, trial}, settings, kinds, stop);
-        combine(all, next.result, minimum, share);
+        add_trial(all, next.result);
+        scores.push_back(next.result.fitness);
         judged.shares.insert(judged.shares.end(), next.shares.begin(), next.shares.end());
     }
+    if (all.outcome != Outcome::kCompleted) return all;
     const GoalKind& goal = *kinds.goals.find(settings.goal);
-    if (!minimum && goal.score_of_shares != nullptr && all.outcome == Outcome::kCompleted)
-        all.fitness = goal.score_of_shares(judged.shares);
+    all.fitness = goal.score_of_shares != nullptr && trials.combine != "minimum"
+                      ? goal.score_of_shares(judged.shares)
+                      : combined_score(scores, trials.combine);
     return all;
 }
 
@@ -113,12 +123,14 @@ EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
 }
 
 double held_out_score(const GenomePtr& genome, const ExperimentSettings& settings,
-                      const EvolutionKinds& kinds, const std::stop_token& stop) {
+                      const EvolutionKinds& kinds, const std::stop_token& stop,
+                      std::vector<std::optional<double>> held) {
     ExperimentSettings held_out = settings;
     held_out.world.trial.draw = 0;
     held_out.world.trial.trials = kHeldOutTrials;
     const std::uint64_t seed = stream_seed({trial_seed(held_out), kHeldOut});
-    return evaluate_in_trials({.genome = genome, .trial_seed = seed}, held_out, kinds, stop)
+    return evaluate_in_trials({.genome = genome, .trial_seed = seed, .held = std::move(held)},
+                              held_out, kinds, stop)
         .fitness;
 }
 

@@ -34,10 +34,11 @@ EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
                                     const ExperimentSettings& settings, const EvolutionKinds& kinds,
                                     const std::stop_token& stop = {});
 
-// Returns the score in eight trials whose light has places that no generation uses; the least of
-// the goal if one fails.
+// Returns the score in eight trials whose light and wall have places that no generation uses; the
+// least of the goal if one fails. `held` is as in EvaluationRequest.
 double held_out_score(const GenomePtr& genome, const ExperimentSettings& settings,
-                      const EvolutionKinds& kinds, const std::stop_token& stop = {});
+                      const EvolutionKinds& kinds, const std::stop_token& stop = {},
+                      std::vector<std::optional<double>> held = {});
 
 // Returns the settings with an accurate integrator, a tolerance of 1e-6, a quarter of the contact
 // step and a hundred times the work, as far as settings may have these values.

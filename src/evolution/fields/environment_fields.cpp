@@ -88,6 +88,29 @@ bool smells(const Settings& settings) {
     return senses(settings, {"smell", "smell-food", "smell-flesh"});
 }
 
+bool has_wall(const Settings& settings) {
+    return settings.world.environment.has_wall;
+}
+
+void add_wall(TableBuilder& world) {
+    world
+        .flag(&Environment::has_wall, "wall", "Wall",
+              "A wall of 1 m stands on one side, which each trial draws. Creatures need sensors of "
+              "obstacles to know where.")
+        .later = true;
+    later(
+        world.number(&Environment::wall_nearest, "wall-nearest", "Wall, nearest", "m",
+                     Range{0.1, 100}, "The least distance of the wall from the body at the start."),
+        has_wall);
+    later(world.number(&Environment::wall_farthest, "wall-farthest", "Wall, farthest", "m",
+                       Range{0.1, 100}, "The greatest distance of the wall from the body."),
+          has_wall);
+    later(world.flag(&Environment::numb, "numbness", "Numbness",
+                     "Sensors of obstacles read 0. This is for comparisons of evolution with and "
+                     "without them."),
+          has_wall);
+}
+
 // Switches for comparisons, which do not change what creatures are made of.
 void add_missing_senses(TableBuilder& world) {
     later(world.flag(&Environment::deaf, "deafness", "Deafness",
@@ -130,6 +153,7 @@ void add_environment(std::vector<SettingField>& fields) {
     world.number(&Environment::density, "density", "Body density", "kg/m^2", Range{1e-3, 1e4},
                  "The mass of a body part for each square metre of its area.");
     add_light(world);
+    add_wall(world);
     add_missing_senses(world);
 }
 

@@ -250,7 +250,7 @@ Status check_order(double low, double high, const char* low_key, const char* hig
 // Rejects settings that are in range one by one but contradict one another.
 Status check_together(const Settings& s, const EvolutionKinds& kinds) {
     if (Status order = setting_table::check_founders(s); !order) return order;
-    if (Status order = setting_table::check_light(s); !order) return order;
+    if (Status order = setting_table::check_distances(s); !order) return order;
     if (Status goal = setting_table::check_goal(s, kinds); !goal) return goal;
     if (const auto excess = trial_excess(s.world)) return Error{"[trial] duration: " + *excess};
     return setting_table::check_creatures(s, kinds);
@@ -335,10 +335,15 @@ Status check_founders(const Settings& s) {
     return check_order(s.founders.min_width, s.founders.max_width, "[body] min-width", "max-width");
 }
 
-Status check_light(const Settings& s) {
+Status check_distances(const Settings& s) {
     const Environment& world = s.world.environment;
-    return check_order(world.light_nearest, world.light_farthest, "[environment] light-nearest",
-                       "light-farthest");
+    if (Status order = check_order(world.light_nearest, world.light_farthest,
+                                   "[environment] light-nearest", "light-farthest");
+        !order) {
+        return order;
+    }
+    return check_order(world.wall_nearest, world.wall_farthest, "[environment] wall-nearest",
+                       "wall-farthest");
 }
 
 }  // namespace setting_table

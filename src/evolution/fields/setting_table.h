@@ -12,8 +12,8 @@ namespace cambrian::setting_table {
 Status check_field(const SettingField& field, const SettingRef& ref);  // range or choice
 // Rejects settings of bodies, breeding and mutation that contradict one another.
 Status check_creatures(const Settings& settings, const EvolutionKinds& kinds);
-Status check_founders(const Settings& settings);  // the order of the limits of random creatures
-Status check_light(const Settings& settings);     // the order of the limits of its jumps
+Status check_founders(const Settings& settings);   // the order of the limits of random creatures
+Status check_distances(const Settings& settings);  // the order of limits of light and wall
 
 void add_environment(std::vector<SettingField>& fields);
 // Adds the goal. check_goal fails if its environment or sensors make the goal impossible.

@@ -82,6 +82,7 @@ void adapt_to_space(std::vector<SettingField>& fields) {
 Status check_space(const Settings& s, const EvolutionKinds& kinds) {
     if (!is_goal_of_space(s.goal)) return refused("[goal] behavior", fmt::format("{} is", s.goal));
     if (s.world.environment.has_light) return refused("[environment] light", "the light is");
+    if (s.world.environment.has_wall) return refused("[environment] wall", "walls are");
     if (s.world.trial.has_cube) return refused("[trial] cube", "the cube is");
     if (s.expression.strict_overlap)
         return refused("[body] strict-overlap", "the check of overlaps is");

@@ -9,7 +9,8 @@ bool several(const Settings& settings) {
 
 bool depends_on_chance(const Settings& settings) {
     const Environment& world = settings.world.environment;
-    return several(settings) || (world.has_light && world.light_motion != "still");
+    return several(settings) || world.has_wall ||
+           (world.has_light && world.light_motion != "still");
 }
 
 }  // namespace
@@ -32,14 +33,17 @@ void add_trials(TableBuilder& trial) {
                 "The largest angle by which the start pose of further trials is turned.")
         .applies = several;
     trial
-        .choice(&TrialSettings::combine, "combine", "Score of trials", {"mean", "minimum"},
+        .choice(&TrialSettings::combine, "combine", "Score of trials",
+                {kCombineIds.begin(), kCombineIds.end()},
                 "The rule that makes one score of several trials. The minimum selects for robust "
-                "creatures.")
+                "creatures; \"worse half\" is 0.9 times the mean of the worse half and 0.1 times "
+                "the mean of all, for choices between two ways.")
         .applies = several;
     SettingField& renewal = trial.number(
         &TrialSettings::renewal, "trials-renewed", "Renewal interval", "generations", Range{0, 1e6},
-        "The number of generations after which the changes and the motions of the light are drawn "
-        "again, for all creatures, and all scores are computed again. 0 means never.");
+        "The number of generations after which the changes, the motions of the light and the "
+        "walls are drawn again, for all creatures, and all scores are computed again. 0 means "
+        "never.");
     renewal.later = true;
     renewal.applies = depends_on_chance;
     SettingField& draw = trial.number(&TrialSettings::draw, "draw", "Renewals", "", Range{0, 1e6},

@@ -14,6 +14,8 @@ void adopt_defaults(ExperimentSettings& settings, const GoalKind& goal) {
     settings.world.trial = goal.default_trial;
     settings.selection.confirmations = goal.default_confirmations;
     settings.terminate_early = goal.default_give_up;
+    for (const std::string& sense : goal.distractions)
+        settings.founders.channels[sense] = false;
     allow_senses(settings, goal);
 }
 

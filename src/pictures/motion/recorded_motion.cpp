@@ -159,6 +159,7 @@ Result<RecordedTrial> record_trial(std::shared_ptr<const Phenotype> phenotype, c
     if (trial.bout() != nullptr) recorded.motion.opponent = trial.bout()->opponent_body();
     MotionRecorder recorder(recorded.motion, most_bytes, world.environment.has_ground);
     recorder.add(settle(trial));
+    if (trial.wall() != nullptr) recorded.motion.wall = *trial.wall();
     while (!trial.finished()) {
         if (watch.stop.stop_requested()) return Error{"interrupted; nothing was written"};
         trial.tick();

@@ -44,10 +44,11 @@ struct RecordedMotion {
     std::shared_ptr<const Phenotype> phenotype;      // null until expressed
     std::shared_ptr<const Phenotype> opponent = {};  // of a contest, if there is one
     std::vector<MotionFrame> frames;
-    std::size_t stride = 1;     // ticks between two frames
-    std::size_t ticks = 0;      // ticks after the first frame; used if stride is over 1
-    std::vector<Vec2> centers;  // of mass, at every fourth tick; used if stride is over 1
-    std::vector<Scuff> scuffs;  // of all ticks
+    std::size_t stride = 1;             // ticks between two frames
+    std::size_t ticks = 0;              // ticks after the first frame; used if stride is over 1
+    std::vector<Vec2> centers;          // of mass, at every fourth tick; used if stride is over 1
+    std::vector<Scuff> scuffs;          // of all ticks
+    std::optional<FixedBox> wall = {};  // on one side, if there is one
     bool complete = false;
 
     bool empty() const { return frames.empty(); }

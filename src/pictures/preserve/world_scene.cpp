@@ -2,6 +2,7 @@
 
 #include "math/elementary.h"
 #include "pictures/preserve/world_edges.h"
+#include "pictures/scene/lit_color.h"
 #include "pictures/scene/scene_builder.h"
 
 #include <algorithm>
@@ -44,15 +45,6 @@ void add_drawn_walls(SceneFrame& frame, const Palette& palette, const PreservePi
         shape.outline = palette.ground_line;
         frame.shapes.push_back(shape);
     }
-}
-
-// Returns a colour as it is in the light of a frame.
-Color lit(const Color& color, const SkinLight& light) {
-    const auto part = [](float of, float fill, float key) {
-        return std::min(1.0F, of * (fill + 0.55F * key));
-    };
-    return {part(color.r, light.fill.r, light.key.r), part(color.g, light.fill.g, light.key.g),
-            part(color.b, light.fill.b, light.key.b), color.a};
 }
 
 // Stalks with two leaves each, which sway, and a fruit of two colours on top.

@@ -7,6 +7,7 @@
 #include "pictures/scene/living_look.h"
 #include "pictures/scene/small_life.h"
 #include "pictures/scene/space_moment.h"
+#include "pictures/scene/stone_wall.h"
 #include "simulator/contest/bout.h"
 
 #include <fmt/core.h>
@@ -52,6 +53,7 @@ Character character_at(const Subject& subject, const Moment& moment) {
     character.line = line_or_hue(subject.creature.individual->line, subject.hue());
     const Vec2 here = moment.frame.center_of_mass.head<2>();
     if (moment.frame.light) look_at(character, here, moment.frame.light->head<2>());
+    if (subject.motion().wall) look_at(character, here, subject.motion().wall->center.head<2>());
     return character;
 }
 
@@ -88,6 +90,7 @@ SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& 
                     with_alpha(style.palette.accent, 0.8F));
     if (style.look != LookMode::kMechanics)
         add_small_life(scene, subject.motion().scuffs, moment.time, subject.environment());
+    if (subject.motion().wall) add_stone_wall(scene, *subject.motion().wall);
     if (shown.bout) {
         BoutLook bodies = bodies_of(subject.motion(), *shown.bout);
         bodies.hue = subject.creature.settings->world.opponents.hue_of_trial(0);

@@ -1,9 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace cambrian {
+
+// "worse half" is 0.1 times the mean and 0.9 times the mean of the worse half: who is good only at
+// some of the trials gains little, yet every gain counts.
+inline constexpr std::array<std::string_view, 3> kCombineIds = {"mean", "minimum", "worse half"};
 
 // The protocol of a trial (simulator/README.md 1) and the guards that end invalid ones (2).
 struct TrialSettings {
@@ -20,7 +26,7 @@ struct TrialSettings {
     int trials = 1;                // the first is in the unchanged world, further ones have jitter:
     double friction_jitter = 0.0;  // share of the friction, in both directions
     double tilt_jitter = 0.0;      // degrees of the start pose, in both directions
-    std::string combine = "mean";  // how the trials' scores are combined: "mean" or "minimum"
+    std::string combine = "mean";  // how the trials' scores are combined: one of kCombineIds
     int renewal = 0;               // generations after which chance is drawn again; 0 for never
     int draw = 0;                  // number of times chance was drawn again
 

@@ -2,6 +2,7 @@
 
 #include "math/angle.h"
 #include "simulator/surroundings/impact_noise.h"
+#include "simulator/surroundings/side_wall.h"
 
 namespace cambrian {
 namespace {
@@ -49,6 +50,11 @@ void TrialSurroundings::lay_out_field() {
 
 double TrialSurroundings::scent(const Vec3& point) const {
     return environment_.scentless || !field_ ? 0.0 : field_->at(point);
+}
+
+double TrialSurroundings::obstacle(const Vec3& point, int direction) const {
+    if (environment_.numb || wall_ == nullptr) return Surroundings::obstacle(point, direction);
+    return distance_to_wall(*wall_, point, direction);
 }
 
 void TrialSurroundings::take_all(const Emissions& emissions, std::span<const SceneImpact> impacts,

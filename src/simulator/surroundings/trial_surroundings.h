@@ -6,6 +6,7 @@
 #include "simulator/surroundings/scent_field.h"
 #include "simulator/surroundings/used_senses.h"
 #include "world/environment.h"
+#include "world/fixed_box.h"
 #include "world/physics_scene.h"
 #include "world/surroundings.h"
 
@@ -26,6 +27,9 @@ public:
     // A trial has one creature, which does not hear itself, so there is nothing to hear.
     double sound(const Vec3& /*point*/, int /*band*/) const override { return 0.0; }
     double scent(const Vec3& point) const override;
+    double obstacle(const Vec3& point, int direction) const override;
+    // Takes the trial's wall, which must outlive the object, or null.
+    void set_wall(const FixedBox* wall) { wall_ = wall; }
 
     const LightSource& source() const { return source_; }
     LightSource& source() { return source_; }
@@ -63,6 +67,7 @@ private:
     Environment environment_;
     UsedSenses used_;
     Vec3 up_ = Vec3::Zero();
+    const FixedBox* wall_ = nullptr;
     LightSource source_;
     std::vector<Sound> sounds_;
     std::optional<ScentField> field_;

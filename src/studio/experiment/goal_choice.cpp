@@ -10,6 +10,8 @@ void change_goal(ExperimentSettings& settings, const GoalKind& before, const Goa
     ExperimentSettings old_defaults = settings;
     adopt_defaults(old_defaults, before);
     ExperimentSettings new_defaults = settings;
+    for (const std::string& sense : before.distractions)
+        new_defaults.founders.channels[sense] = true;
     adopt_defaults(new_defaults, chosen);
     if (settings.world.environment.dimensions == 3) {
         adopt_space(old_defaults.world);

@@ -7,6 +7,7 @@
 #include "pictures/scene/follow_camera.h"
 #include "pictures/scene/living_look.h"
 #include "pictures/scene/small_life.h"
+#include "pictures/scene/stone_wall.h"
 #include "pictures/scene/worlds.h"
 #include "studio/look/overlays.h"
 #include "studio/panels/viewport/axes_gizmo.h"
@@ -85,6 +86,8 @@ Character shown_character(const FrameContext& frame) {
     follow_path(character, creature.readings().trail(), here, body_size(creature.phenotype()));
     const LightSource& light = playback.trial().surroundings().source();
     if (light.is_on()) look_at(character, here, light.place().head<2>());
+    if (const FixedBox* wall = playback.trial().wall())
+        look_at(character, here, wall->center.head<2>());
     return character;
 }
 
@@ -138,6 +141,7 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
             draw_space_ghost_labels(frame);
         } else {
             draw_marks(frame);
+            draw_wall_sign(frame);
             draw_ghost_labels(frame);
         }
         if (frame.view.overlays.names) draw_part_names(frame);
@@ -335,6 +339,7 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
     if (look.mode != LookMode::kMechanics)
         add_small_life(scene, playback.creature().readings().scuffs(), look.character.time,
                        playback.creature().replay().environment());
+    if (const FixedBox* wall = playback.trial().wall()) add_stone_wall(scene, *wall);
     for (const auto& ghost : frame.viewer.ghosts) {
         CreatureLook pale{ghost->phenotype(), ghost->poses(), {}, ghost->genome().hue, {},
                           ghost->stretches(), frame.view.look};
@@ -425,6 +430,21 @@ void ViewportPanel::draw_plate(const Vec2& at, const std::string& name) const {
                        {low.x + size.x + px(5), low.y + size.y + px(1)},
                        paint(with_alpha(colors().panel, 0.85F)), px(4));
     list.AddText(low, paint(colors().text), name.c_str());
+}
+
+// Says how far the wall is while it is out of view.
+void ViewportPanel::draw_wall_sign(const FrameContext& frame) const {
+    constexpr double kFromEdge = 46.0;  // pixels
+    const FixedBox* wall = frame.viewer.playback.trial().wall();
+    if (wall == nullptr) return;
+    const WorldWindow view = canvas_.camera.window(canvas_.size());
+    const bool left = wall->high.x() < view.low.x();
+    if (!left && wall->low.x() <= view.high.x()) return;
+    const Vec3 here = frame.viewer.playback.creature().motion().center();
+    const double away = distance_to_wall(*wall, here, left ? -1 : 1);
+    const double margin = kFromEdge * static_cast<double>(ui().scale) * canvas_.camera.pixel();
+    draw_plate({left ? view.low.x() + margin : view.high.x() - margin, 0.5 * kWallHeight},
+               "wall " + with_unit(away, "m"));
 }
 
 // Draws the parts' names; leaves out those that would cover another one.

@@ -32,6 +32,7 @@ private:
     void draw_marks(const FrameContext& frame);
     void add_overlays(const FrameContext& frame, const CreatureLook& look);
     void draw_plate(const Vec2& at, const std::string& name) const;
+    void draw_wall_sign(const FrameContext& frame) const;
     void draw_part_names(const FrameContext& frame) const;
     void draw_ghost_labels(const FrameContext& frame) const;
     std::string ghost_words(const Ghost& ghost, const WorldWindow& bounds, double here) const;

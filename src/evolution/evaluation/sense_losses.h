@@ -1,0 +1,34 @@
+#pragma once
+
+// What a creature loses without its senses: each wired sensor reads its best constant instead. A
+// creature that does as well with constants does not use what it senses.
+
+#include "evolution/evaluation/evaluation.h"
+
+#include <cstddef>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace cambrian {
+
+struct SenseLoss {
+    std::string channel;    // "obstacle-left"
+    std::size_t part = 0;   // number of the part that has it, from 0
+    double constant = 0.0;  // that leaves most, in the sensor's unit
+    double score = 0.0;     // that is left with it
+};
+
+struct SenseLosses {
+    double intact = 0.0;          // score in trials that no generation uses
+    double without_all = 0.0;     // the same with a constant for each sensor
+    std::vector<SenseLoss> each;  // each sensor that the brain hears, alone
+};
+
+// Constants are chosen in the same trials, which favours them: five sets for all sensors together
+// (0, least, greatest, mean and middle readings), then six for each. After a stop request the rest
+// is missing.
+SenseLosses sense_losses(const GenomePtr& genome, const ExperimentSettings& settings,
+                         const EvolutionKinds& kinds, const std::stop_token& stop = {});
+
+}  // namespace cambrian
