@@ -1,7 +1,7 @@
 'use strict';
 // The engine of Cambrian as WebAssembly: it computes what the program computes, to the last bit.
 
-const HEAD = 10, PART = 12, TICK = 1 / 60;  // numbers of a moment and of each part in it; s
+const HEAD = 11, PART = 12, TICK = 1 / 60;  // numbers of a moment and of each part in it; s
 
 const bytesOf = text => Uint8Array.from(atob(text.trim()), c => c.charCodeAt(0));
 

@@ -87,7 +87,7 @@ function between(share) {
     for (let j = 0; j < 4; j++) length += (row[o + j] = before[o + j] + share * (sign * now[o + j] - before[o + j])) ** 2;
     for (let j = 0; j < 4; j++) row[o + j] /= Math.sqrt(length);
   }
-  for (const i of [4, 5, 6]) row[i] = now[i];
+  for (const i of [4, 5, 6, 10]) row[i] = now[i];
   return row;
 }
 
@@ -122,6 +122,7 @@ function draw(row, time, passed) {
     drawBoxes(g, body, row, draw.view);
   } else {
     if (ground) drawGround(row, to, w);
+    if (row[10]) drawWall(row[10], to);
     if (row[6]) drawLamp(to([row[7], row[8]]), h);
     drawBody(g, body, row, to, scale, time, pointer || (row[6] ? to([row[7], row[8]]) : null));
   }
@@ -152,6 +153,20 @@ function drawGround(row, to, w) {
     g.ellipse(to(at)[0], y + 3, 1.05 * wide * scale, Math.max(2, 0.011 * h), 0, 0, 7);
     g.fill();
   });
+}
+
+// The wall of a trial: courses of stones, 1 m high.
+function drawWall(x, to) {
+  for (let course = 0; course < 7; course++) {
+    const seam = 0.3 + 0.4 * Math.abs(Math.sin(7 * course + 3)), ends = [0, seam, 1];
+    for (let k = 0; k < 2; k++) {
+      const low = to([x - 0.15 + 0.3 * ends[k], course / 7]), high = to([x - 0.15 + 0.3 * ends[k + 1], (course + 1) / 7]);
+      g.fillStyle = oklch(0.22, 0.5 + 0.12 * Math.sin(5 * course + 2 * k), 0.02);
+      g.beginPath();
+      g.roundRect(low[0] + 1, high[1] + 1, high[0] - low[0] - 2, low[1] - high[1] - 2, 0.03 * scale);
+      g.fill();
+    }
+  }
 }
 
 function drawLamp([x, y], h) {
@@ -247,7 +262,7 @@ function prove() {
 
 // ---- evolution
 
-const GOALS = { walking: 'walking', jumping: 'jumping', swimming: 'swimming', seeking: 'seeking a lamp', flying: 'flying', 'swimming-3d': 'swimming in space' };
+const GOALS = { walking: 'walking', jumping: 'jumping', swimming: 'swimming', seeking: 'seeking a lamp', flying: 'flying', escape: 'escaping a wall', 'swimming-3d': 'swimming in space' };
 let running = [];
 
 function startEvolution() {

@@ -42,7 +42,7 @@ constexpr double kHoldStiffness = 60.0;  // N/m
 constexpr double kHoldDamping = 6.0;     // N s/m
 
 // Numbers of a moment, as engine.js reads them.
-constexpr std::size_t kHeadNumbers = 10;
+constexpr std::size_t kHeadNumbers = 11;
 constexpr std::size_t kPartNumbers = 12;
 
 struct Hold {
@@ -101,6 +101,7 @@ void note_moment() {
     *at++ = static_cast<double>(trial.ticks());
     *at++ = light.is_on() ? 1.0 : 0.0;
     at = put(at, light.place());
+    *at++ = trial.wall() != nullptr ? trial.wall()->center.x() : 0.0;
     for (std::size_t i = 0; i < life.phenotype->parts.size(); ++i) {
         const Pose pose = scene.part_pose(i);
         at = put(at, pose.position);
@@ -196,8 +197,8 @@ CAMBRIAN_EXPORT(engine_begin) const char* engine_begin() {
 }
 
 // Returns the numbers of the present moment: centre of mass (3), time, phase (1 settling, 2 over),
-// ticks, whether there is a light and its place (3); then for each part its place (3), attitude
-// (w, x, y, z), half extents (3), touched faces and effort.
+// ticks, whether there is a light and its place (3), the x of the wall or 0 without one; then for
+// each part its place (3), attitude (w, x, y, z), half extents (3), touched faces and effort.
 CAMBRIAN_EXPORT(engine_moment) const double* engine_moment() {
     return engine().life.moment.data();
 }
