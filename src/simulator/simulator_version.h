@@ -20,7 +20,8 @@ inline constexpr std::string_view kSimulatorVersion = "1.3";
 //
 //     3d-0.1
 //     3d-0.2  ground; stops solved together with contacts
-inline constexpr std::string_view kSpatialSimulatorVersion = "3d-0.2";
+//     3d-0.3  contact between parts
+inline constexpr std::string_view kSpatialSimulatorVersion = "3d-0.3";
 
 constexpr std::string_view simulator_version(int dimensions) {
     return dimensions == 3 ? kSpatialSimulatorVersion : kSimulatorVersion;

@@ -27,9 +27,9 @@ struct GapAxis {
 };
 
 // How two boxes lie. Index 0 is the first box's axis.
-class BoxRelation {
+class BoxAxes {
 public:
-    BoxRelation(const PlacedBox& a, const PlacedBox& b)
+    BoxAxes(const PlacedBox& a, const PlacedBox& b)
         : a_(a), b_(b), from_first_(a.axes.back(b.center - a.center)) {
         const Vec3 from_second = b.axes.back(b.center - a.center);
         for (int i = 0; i < 3; ++i) {
@@ -117,15 +117,15 @@ Vec3 edge_middle(const PlacedBox& box, int axis, const Vec3& normal, int& featur
 }
 
 // Where the edges pass each other. Returns false if they do so beyond an end of either.
-bool cross_edges(const PlacedBox& first, const PlacedBox& second, const BoxRelation& relation,
+bool cross_edges(const PlacedBox& first, const PlacedBox& second, const BoxAxes& both,
                  const GapAxis& axis, BoxManifold& manifold) {
     constexpr int kFaceFeatures = kBoxFeatures - 9 * 16;
     const Vec3& along = first.axes.axis[axis.axis];
     const Vec3& other = second.axes.axis[axis.second];
-    const double cosine = relation.along(axis.axis, axis.second);
+    const double cosine = both.along(axis.axis, axis.second);
     const double squared = 1.0 - cosine * cosine;
     const Vec3 normal =
-        (-relation.side_of(axis.axis, axis.second) / std::sqrt(squared)) * cross(along, other);
+        (-both.side_of(axis.axis, axis.second) / std::sqrt(squared)) * cross(along, other);
     int feature = 3 * axis.axis + axis.second;
     const Vec3 here = edge_middle(first, axis.axis, -normal, feature);
     const Vec3 there = edge_middle(second, axis.second, normal, feature);
@@ -300,19 +300,19 @@ bool find_face_along(const PlacedBox& first, const PlacedBox& second, const Vec3
 }  // namespace
 
 double gap_between(const PlacedBox& first, const PlacedBox& second) {
-    const BoxRelation relation(first, second);
-    return std::max(relation.best_face().gap, relation.best_edges().gap);
+    const BoxAxes both(first, second);
+    return std::max(both.best_face().gap, both.best_edges().gap);
 }
 
 BoxManifold collide_boxes(const PlacedBox& first, const PlacedBox& second, double margin) {
     BoxManifold manifold;
-    const BoxRelation relation(first, second);
-    GapAxis face = relation.best_face();
+    const BoxAxes both(first, second);
+    GapAxis face = both.best_face();
     if (face.gap > margin) return manifold;
-    const GapAxis edges = relation.best_edges();
+    const GapAxis edges = both.best_edges();
     if (edges.gap > margin) return manifold;
     const double better = std::max(kLeastBetter, kEdgeBetter * std::fabs(face.gap));
-    if (edges.gap > face.gap + better && cross_edges(first, second, relation, edges, manifold)) {
+    if (edges.gap > face.gap + better && cross_edges(first, second, both, edges, manifold)) {
         // An edge that lies nearly flat on a face would rock from one of its edges to the other.
         if (!find_face_along(first, second, manifold.surface.axis[0], face)) return manifold;
         BoxManifold flat;

@@ -15,8 +15,8 @@ PlacedBox placed_part(const Model& model, const Kinematics& k, int number) {
 }
 
 // Adds the points of a pair of parts.
-void add_points(const Model& model, const Kinematics& k, int pair, const BoxManifold& manifold,
-                ContactSet& contacts) {
+void add_pair_points(const Model& model, const Kinematics& k, int pair, const BoxManifold& manifold,
+                     ContactSet& contacts) {
     const int first = model.pairs[pair].first;
     const int second = model.pairs[pair].second;
     Contact contact;
@@ -71,7 +71,7 @@ void add_self_contacts(const Model& model, const Kinematics& k, ContactSet& cont
         const double reach = model.parts[i].radius + model.parts[j].radius + kContactMargin;
         if (dot(way, way) >= reach * reach) continue;
         const BoxManifold manifold = collide_boxes(boxes[i], boxes[j], kContactMargin);
-        if (manifold.count > 0) add_points(model, k, pair, manifold, contacts);
+        if (manifold.count > 0) add_pair_points(model, k, pair, manifold, contacts);
     }
 }
 

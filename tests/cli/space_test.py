@@ -17,7 +17,7 @@ size = 12
 [trial]
 duration = 3
 """
-WALK_3D = SMALL_3D.replace("swimming", "walking")
+WALK_3D = SMALL_3D.replace("swimming", "walking").replace("= 3\n[run]", "= 3\nself-contact = true\n[run]")
 DART = ROOT / "assets/creatures/dart.creature.json"
 WALKER = ROOT / "assets/creatures/walker.creature.json"
 
@@ -42,7 +42,7 @@ class Space(ProgramTest):
         self.assertEqual((len(outputs), len(creatures)), (1, 1))
         creature = json.loads(creatures.pop())
         self.assertEqual((creature["version"], creature["dimensions"]), (4, 3))
-        self.assertEqual(creature["scored"]["simulator"], "3d-0.2")
+        self.assertEqual(creature["scored"]["simulator"], "3d-0.3")
         self.assertEqual(creature["scored"]["environment"]["dimensions"], 3)
 
     def test_a_run_in_space_that_is_resumed_is_the_run_in_one_go(self):

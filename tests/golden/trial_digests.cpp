@@ -53,12 +53,15 @@ TrialWorld world_of(const GoalKind& goal, int first) {
     return world;
 }
 
-std::uint64_t digest_of_swimmers_in_space() {
+std::uint64_t digest_in_space(const char* goal_id, bool self_contact) {
     const EvolutionKinds& kinds = test::spatial_kinds();
+    const GoalKind& goal = *kinds.goals.find(goal_id);
     ExperimentSettings settings;
-    adopt_space_defaults(settings, kinds.goals);
+    adopt_defaults(settings, goal);
+    adopt_space(settings.world);
+    settings.world.environment.self_contact = self_contact;
     settings.world.trial.duration = kDuration;
-    return digest_of_trials(*kinds.goals.find(settings.goal), settings.world, kinds.creature, 0);
+    return digest_of_trials(goal, settings.world, kinds.creature, 0);
 }
 
 // Adds what was heard and smelled in the last tick.
@@ -100,7 +103,10 @@ void add_trial_digests(Digests& digests) {
     }
     digests.push_back({"trial.organs", digest_of_organs(founder_with_organs)});
     digests.push_back({"trial.deformers", digest_of_organs(founder_with_deformers)});
-    digests.push_back({"space.trial.swimming", digest_of_swimmers_in_space()});
+    digests.push_back({"space.trial.swimming", digest_in_space("swimming", false)});
+    for (const char* goal : {"swimming", "walking"})
+        digests.push_back(
+            {std::string("space.trial.") + goal + ".self_contact", digest_in_space(goal, true)});
 }
 
 }  // namespace cambrian::golden

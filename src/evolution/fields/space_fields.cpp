@@ -73,10 +73,20 @@ void adapt_to_space(std::vector<SettingField>& fields) {
         "the plane.");
     dimensions.live = false;
     dimensions.later = true;
-    const auto first = std::find_if(fields.begin(), fields.end(), [](const SettingField& field) {
-        return field.table == "environment";
-    });
-    fields.insert(first, added.front());
+    world
+        .flag(&Environment::self_contact, "self-contact", "Contact between parts",
+              "Parts touch one another, unless a joint connects them or they are nearer than 1 cm "
+              "at rest. Otherwise they pass through each other, which costs less time.")
+        .later = true;
+    const auto insert_before = [&fields, &added](const char* key, std::size_t number) {
+        const auto place =
+            std::find_if(fields.begin(), fields.end(), [key](const SettingField& field) {
+                return field.table == "environment" && field.key == key;
+            });
+        fields.insert(place, added[number]);
+    };
+    insert_before("gravity", 0);
+    insert_before("viscosity-linear", 1);
 }
 
 Status check_space(const Settings& s, const EvolutionKinds& kinds) {
