@@ -20,6 +20,7 @@ SubcommandRegistry builtin_subcommands() {
     subcommands.add(rescore_subcommand());
     subcommands.add(lift_subcommand());
     subcommands.add(settings_subcommand());
+    subcommands.add(terrain_subcommand());
     subcommands.add(schema_subcommand());
     subcommands.add(manual_subcommand());
     subcommands.add(completion_subcommand());

@@ -1,6 +1,7 @@
 #include "core/assert.h"
 #include "core/text/nearest_name.h"
 #include "math/angle.h"
+#include "planar/contact/terrain_contacts.h"
 #include "planar/integrators/builtin_integrators.h"
 #include "planar/island/packed_body.h"
 #include "planar/island/scene_body.h"
@@ -59,13 +60,21 @@ struct Mark {
     std::vector<HeldForce> pulls;
 };
 
+// An environment with the ground that its settings describe.
+struct ShapedWorld {
+    const Environment& environment;
+    std::shared_ptr<const Terrain> terrain;
+};
+
 // It has as many functions as the interface of scenes; each is a few lines over the body it holds.
 class PlanarScene final : public BodyScene {
 public:
-    PlanarScene(PlanarModel&& model, const Environment& environment, const SceneSettings& settings,
+    PlanarScene(PlanarModel&& model, const ShapedWorld& world, const SceneSettings& settings,
                 const IntegratorKind& integrator)
         : motor_frequency_(settings.motor_frequency),
           size_{model.body_count, model.tree_count, model.part_count},
+          environment_(world.environment),
+          terrain_(world.terrain),
           workspace_(std::make_unique<StepWorkspace>(integrator, settings)),
           body_(&workspace_->room(0)) {
         body_->model = std::move(model);
@@ -73,7 +82,7 @@ public:
         body().forcing.drive.frequency = motor_frequency_;
         body().forcing.drive.speed_limit = settings.motor_speed_limit;
         body().state.motion = rest_motion(body().model);
-        use_environment(environment);
+        use_environment(world.environment);
         evaluate_here();
         start_audit(body().model, body().forcing.medium, body().state);
     }
@@ -103,6 +112,7 @@ public:
     }
     Bounds bounds() const override;
     double lowest_point() const override;
+    double ground_gap() const override;
 
     void list_joint_coordinates(std::span<const JointDegree> degrees,
                                 std::span<double> coordinates) const override;
@@ -176,6 +186,7 @@ private:
     double motor_frequency_;
     SceneSize size_;
     Environment environment_;
+    std::shared_ptr<const Terrain> terrain_;  // of the environment; null if the ground is flat
     std::unique_ptr<StepWorkspace> workspace_;
     std::unique_ptr<Mark> mark_;
     // The body is in the workspace, in a room of another one, or in memory of its own. Otherwise it
@@ -364,6 +375,14 @@ double PlanarScene::lowest_point() const {
     return -largest_of(-low);
 }
 
+double PlanarScene::ground_gap() const {
+    if (!terrain_) return lowest_point();
+    const Kinematics& k = body().state.cache().kinematics;
+    PartPlaces places;
+    place_parts(body().model, k, places);
+    return height_above_terrain(body().model, places, *terrain_);
+}
+
 void PlanarScene::set_target(const JointDegree& degree, double target) {
     set_slot_target(joint_of(degree), target);
 }
@@ -409,6 +428,10 @@ SceneStatus PlanarScene::advance(double duration) {
 }
 
 void PlanarScene::use_environment(const Environment& environment) {
+    if (environment.terrain != environment_.terrain) {
+        auto terrain = Terrain::make(environment.terrain);
+        terrain_ = terrain ? *terrain : nullptr;
+    }
     environment_ = environment;
     if (environment.density != body().model.density) {
         change_density(body().model, environment.density);
@@ -417,7 +440,7 @@ void PlanarScene::use_environment(const Environment& environment) {
     }
     body().forcing.medium = medium_of(environment);
     body().law = {body().motors_off ? 0.0 : environment.friction, environment.elasticity,
-                  environment.has_ground, body().law.fixed};
+                  environment.has_ground, body().law.fixed, terrain_.get()};
     body().state.cache_is_current = false;
 }
 
@@ -660,8 +683,10 @@ Result<std::unique_ptr<PhysicsScene>> CAMBRIAN_SCENE_COPY::make_planar_scene(
     if (Status status = check_surroundings(environment, settings); !status) return status.error();
     Result<PlanarModel> model = build_planar_model(plan, environment.density);
     if (!model) return model.error();
-    return std::unique_ptr<PhysicsScene>(
-        std::make_unique<PlanarScene>(std::move(*model), environment, settings, *integrator));
+    auto terrain = Terrain::make(environment.terrain);
+    if (!terrain) return Error{"environment: " + terrain.error().message};
+    return std::unique_ptr<PhysicsScene>(std::make_unique<PlanarScene>(
+        std::move(*model), ShapedWorld{environment, *std::move(terrain)}, settings, *integrator));
 }
 
 std::unique_ptr<JoinedScenes> CAMBRIAN_SCENE_COPY::join_planar_scenes(

@@ -1,15 +1,26 @@
 #pragma once
 
 // The scenery behind a frame, as a recipe: a sky, three chains of hills or clouds before it, and
-// the ground below y = 0, cut open. Everything in it follows from the recipe and the size of the
-// view.
+// the ground below its surface, cut open. Everything in it follows from the recipe and the size of
+// the view.
 
 #include "math/types.h"
 #include "render/color.h"
 
 #include <array>
+#include <vector>
 
 namespace cambrian {
+
+// The surface of the ground in a view.
+struct GroundShape {
+    std::vector<Vec2>
+        surface;         // m, from left to right, beyond both sides of the view; empty: y = 0
+    double level = 0.0;  // m; height at which the horizon lies
+
+    bool is_flat() const { return surface.empty(); }
+    double at(double x) const;  // m
+};
 
 enum class HeavenlyBody : unsigned char { kNone, kSun, kCrescent, kEarth };
 enum class RidgeForm : unsigned char { kHills, kDunes, kBergs, kClouds, kSeabed };

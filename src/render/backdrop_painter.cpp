@@ -43,16 +43,20 @@ double tile_metres(double pixels_per_metre) {
     return metres;
 }
 
+Color deep_soil(const BackdropRecipe& recipe) {
+    return mix(recipe.ground[2], color_of(0x000000), 0.08F);
+}
+
 // Returns the remainder in 0 .. period - 1.
 int wrapped(double value, int period) {
     const double rest = std::fmod(std::floor(value), period);
     return static_cast<int>(rest < 0.0 ? rest + period : rest);
 }
 
-// Returns the height in pixels of y = 0 above the lower edge of the view.
-int surface_of(const Camera& camera, const PixelRect& target) {
+// Returns the height in pixels of a height in metres above the lower edge of the view.
+int surface_of(const Camera& camera, const PixelRect& target, double height = 0.0) {
     const double most = 4.0 * target.height;
-    const double at = 0.5 * target.height - camera.center.y() * camera.pixels_per_metre;
+    const double at = 0.5 * target.height + (height - camera.center.y()) * camera.pixels_per_metre;
     return static_cast<int>(std::round(std::clamp(at, -most, most)));
 }
 
@@ -138,6 +142,26 @@ void fill_plainly(const BackdropRecipe& recipe, const PixelRect& target, int sur
     fill_rect({target.x, target.y, target.width, horizon}, recipe.ground[1]);
 }
 
+// Fills what is seen above low ground and below the horizon: far land, and soil in the shade where
+// it is deeper.
+void fill_behind_ground(const BackdropRecipe& recipe, const PixelRect& target, int horizon,
+                        double pixels_per_metre) {
+    constexpr int kStripes = 24;
+    constexpr double kShade = 1.0;  // m below the horizon, from where all is shade
+    const Color land = recipe.ridges.back()[1];
+    const Color shade = mix(recipe.ground[1], recipe.ground[2], 0.75F);
+    const double depth = kShade * pixels_per_metre;
+    int high = std::clamp(horizon, 0, target.height);
+    for (int i = 1; i <= kStripes && high > 0; ++i) {
+        const double below = i < kStripes ? horizon - depth * i / kStripes : 0.0;
+        const int low = std::clamp(static_cast<int>(below), 0, high);
+        const float share = static_cast<float>(i - 1) / (kStripes - 1);
+        fill_rect({target.x, target.y + low, target.width, high - low},
+                  mix(land, shade, share * share * (3.0F - 2.0F * share)));
+        high = low;
+    }
+}
+
 // How rough a chain is, by its form and nearness.
 double roughness(RidgeForm form, std::size_t chain) {
     switch (form) {
@@ -156,7 +180,7 @@ Result<BackdropPainter> BackdropPainter::create() {
     std::vector<Shader> shaders;
     for (const char* source :
          {backdrop::kSkySource, backdrop::kFinishSource, backdrop::kRidgeSource,
-          backdrop::kSoilSource, backdrop::kScaleSource}) {
+          backdrop::kSoilSource, backdrop::kScaleSource, backdrop::kSlopeSource}) {
         Result<Shader> shader = compile(source);
         if (!shader) return shader.error();
         shaders.push_back(std::move(*shader));
@@ -334,15 +358,15 @@ void BackdropPainter::scale_ground(Scenery& scenery, double pixels_per_metre) {
     scenery.ground = std::move(*ground);
 }
 
-void BackdropPainter::draw(const BackdropRecipe& recipe, const Camera& camera,
-                           const PixelRect& target, Baking baking) {
+void BackdropPainter::draw(const BackdropRecipe& recipe, const GroundShape& shape,
+                           const Camera& camera, const PixelRect& target, Baking baking) {
     glEnable(GL_SCISSOR_TEST);
     Scenery& scenery = scenery_for(recipe, target);
     bake(scenery, baking);
     const bool unfinished = scenery.steps < kPaintingSteps;
     unfinished_ = unfinished_ || unfinished;
-    const int surface = recipe.has_ground ? surface_of(camera, target) : 0;
-    const bool ground_seen = !unfinished && scenery.tile && surface > 0;
+    const int surface = recipe.has_ground ? surface_of(camera, target, shape.level) : 0;
+    const bool ground_seen = !unfinished && scenery.tile && (surface > 0 || !shape.is_flat());
     if (ground_seen && scenery.scale != camera.pixels_per_metre)
         scale_ground(scenery, camera.pixels_per_metre);
     const KeptFramebuffers kept;
@@ -356,7 +380,12 @@ void BackdropPainter::draw(const BackdropRecipe& recipe, const Camera& camera,
         fill_plainly(recipe, target, surface);
     glScissor(target.x, target.y, target.width, target.height);
     if (!unfinished && scenery.far) copy_far(scenery, camera, target, surface);
-    if (ground_seen && scenery.ground) copy_ground(scenery, camera, target, surface);
+    if (ground_seen && scenery.ground) {
+        if (shape.is_flat())
+            copy_ground(scenery, camera, target, {0, target.width, surface});
+        else
+            draw_shaped_ground(scenery, shape, camera, target);
+    }
     glViewport(target.x, target.y, target.width, target.height);
 }
 
@@ -379,18 +408,68 @@ void BackdropPainter::copy_far(const Scenery& scenery, const Camera& camera,
 }
 
 void BackdropPainter::copy_ground(const Scenery& scenery, const Camera& camera,
-                                  const PixelRect& target, int surface) const {
+                                  const PixelRect& target, const GroundStrip& strip) const {
     scenery.ground->bind_to_copy();
     const double left = camera.center.x() * camera.pixels_per_metre - 0.5 * target.width;
-    const int from = wrapped(left, scenery.ground->width());
-    const int high = std::min(surface, target.height);
-    const int low = surface - scenery.ground->height();
+    const int from = wrapped(left + strip.left, scenery.ground->width());
+    const int high = std::clamp(strip.surface, 0, target.height);
+    const int low = strip.surface - scenery.ground->height();
     const int first = std::clamp(low, 0, high);
+    const int x = target.x + strip.left;
     copy_repeated(from, scenery.ground->width(), first - low,
-                  {target.x, target.y + first, target.width, high - first});
-    const Color& deep = scenery.recipe->ground[2];
-    fill_rect({target.x, target.y, target.width, first}, mix(deep, color_of(0x000000), 0.08F));
+                  {x, target.y + first, strip.width, high - first});
+    fill_rect({x, target.y, strip.width, first}, deep_soil(*scenery.recipe));
     glScissor(target.x, target.y, target.width, target.height);
+}
+
+// Copies level pieces of the ground and draws the others, whose soil follows the surface.
+void BackdropPainter::draw_shaped_ground(const Scenery& scenery, const GroundShape& shape,
+                                         const Camera& camera, const PixelRect& target) {
+    const double scale = camera.pixels_per_metre;
+    const Vec2 origin =
+        scale * camera.center - 0.5 * Vec2(target.width, target.height);  // of the view, in pixels
+    fill_behind_ground(*scenery.recipe, target, surface_of(camera, target, shape.level), scale);
+    glViewport(target.x, target.y, target.width, target.height);
+    const Shader& slope = shaders_[kSlope];
+    slope.use();
+    glUniform2f(slope.uniform("size"), static_cast<float>(target.width),
+                static_cast<float>(target.height));
+    glUniform2f(slope.uniform("view"), static_cast<float>(target.x), static_cast<float>(target.y));
+    give(slope, "tile", scenery.ground->width(), scenery.ground->height(),
+         wrapped(origin.x(), scenery.ground->width()));
+    give_color(slope, "deep", deep_soil(*scenery.recipe));
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    for (std::size_t i = 1; i < shape.surface.size(); ++i) {
+        const Vec2 from = scale * shape.surface[i - 1] - origin;
+        const Vec2 to = scale * shape.surface[i] - origin;
+        const int left =
+            static_cast<int>(std::clamp(std::round(from.x()), 0.0, 1.0 * target.width));
+        const int right = static_cast<int>(std::clamp(std::round(to.x()), 0.0, 1.0 * target.width));
+        if (right <= left) continue;
+        glScissor(target.x, target.y, target.width, target.height);
+        if (std::fabs(to.y() - from.y()) < 0.5) {
+            const double most = 4.0 * target.height;
+            const double height = std::clamp(std::round(from.y()), -most, most);
+            copy_ground(scenery, camera, target, {left, right - left, static_cast<int>(height)});
+            continue;
+        }
+        const double steepness = (to.y() - from.y()) / (to.x() - from.x());
+        slope.use();
+        scenery.ground->bind_to_sample();
+        give(slope, "line", from.x(), from.y(), steepness);
+        const auto edge = [&](int x) {
+            const double height = from.y() + steepness * (x - from.x()) + 1.0;
+            return static_cast<float>(std::clamp(height, 0.0, target.height + 1.0));
+        };
+        const auto a = static_cast<float>(left);
+        const auto b = static_cast<float>(right);
+        const float high_a = std::max(edge(left), edge(right));
+        const std::array<float, RectangleBuffer::kFloats> corners = {a, 0.0F,   b, 0.0F, a, high_a,
+                                                                     a, high_a, b, 0.0F, b, high_a};
+        rectangle_.fill(corners);
+        rectangle_.draw(0, 1);
+    }
 }
 
 }  // namespace cambrian

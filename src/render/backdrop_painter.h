@@ -29,8 +29,8 @@ public:
 
     // Fills the target. Where a driver has no textures of that size, it is filled with the recipe's
     // colours. Scissoring remains enabled for the target.
-    void draw(const BackdropRecipe& recipe, const Camera& camera, const PixelRect& target,
-              Baking baking);
+    void draw(const BackdropRecipe& recipe, const GroundShape& shape, const Camera& camera,
+              const PixelRect& target, Baking baking);
     // Returns whether a backdrop drawn since the last call is not painted completely.
     bool take_unfinished() { return std::exchange(unfinished_, false); }
 
@@ -48,7 +48,11 @@ private:
         double scale = 0.0;                    // pixels per metre
     };
 
-    enum : std::size_t { kSky, kFinish, kRidge, kSoil, kScale };  // places of the shaders
+    struct GroundStrip {
+        int left, width, surface;  // pixels
+    };
+
+    enum : std::size_t { kSky, kFinish, kRidge, kSoil, kScale, kSlope };  // places of the shaders
 
     explicit BackdropPainter(std::vector<Shader> shaders);
     Scenery& scenery_for(const BackdropRecipe& recipe, const PixelRect& target);
@@ -61,11 +65,15 @@ private:
     void paint_ridge(const Scenery& scenery, std::size_t chain);
     void paint_tile(Scenery& scenery, int part);
     void scale_ground(Scenery& scenery, double pixels_per_metre);
-    // `surface` is the height of y = 0 in the target, in pixels.
+    // `surface` is the height of the horizon in the target, in pixels.
     void copy_far(const Scenery& scenery, const Camera& camera, const PixelRect& target,
                   int surface) const;
+    // Draws the ground in a strip of the target, from column `left` on, with its surface at this
+    // height.
     void copy_ground(const Scenery& scenery, const Camera& camera, const PixelRect& target,
-                     int surface) const;
+                     const GroundStrip& strip) const;
+    void draw_shaped_ground(const Scenery& scenery, const GroundShape& shape, const Camera& camera,
+                            const PixelRect& target);
     // Runs the shader in use over a rectangle of the bound texture.
     void cover(const PixelRect& part);
 

@@ -226,4 +226,22 @@ void main() {
 }
 )";
 
+// Ground below a line that slopes, whose soil lies along it. `line` is a place on it and its
+// steepness, `tile` the size of the picture of ground and its column at the left edge of the view;
+// all are in pixels.
+inline constexpr const char* kSlopeSource = R"(
+uniform sampler2D picture;
+uniform vec2 view;
+uniform vec3 line;
+uniform vec3 tile;
+uniform vec3 deep;
+void main() {
+    vec2 at = gl_FragCoord.xy - view;
+    float depth = line.y + line.z * (at.x - line.x) - at.y;
+    vec3 soil = texture(picture, vec2((at.x + tile.z) / tile.x, 1.0 - depth / tile.y)).rgb;
+    if (depth > tile.y) soil = deep;
+    color = vec4(soil, clamp(depth * inversesqrt(1.0 + line.z * line.z) + 0.5, 0.0, 1.0));
+}
+)";
+
 }  // namespace cambrian::backdrop

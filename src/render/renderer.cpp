@@ -156,7 +156,7 @@ void Renderer::draw(const SceneFrame& frame, const Camera& camera, const PixelRe
         space_painter_.draw(*frame.space, target);
         glViewport(target.x, target.y, target.width, target.height);
     } else if (frame.backdrop != nullptr) {
-        backdrop_painter_.draw(*frame.backdrop, camera, target, baking);
+        backdrop_painter_.draw(*frame.backdrop, frame.ground, camera, target, baking);
     } else {
         fill_rect(target, frame.background);
     }

@@ -78,6 +78,19 @@ void SceneFrame::clear() {
     light = {};
     space = nullptr;
     detail = Detail::kFull;
+    ground = {};
+}
+
+double GroundShape::at(double x) const {
+    if (surface.empty()) return 0.0;
+    const auto after =
+        std::upper_bound(surface.begin(), surface.end(), x,
+                         [](double value, const Vec2& point) { return value < point.x(); });
+    if (after == surface.begin()) return surface.front().y();
+    if (after == surface.end()) return surface.back().y();
+    const Vec2& to = *after;
+    const Vec2& from = *(after - 1);
+    return from.y() + (x - from.x()) / (to.x() - from.x()) * (to.y() - from.y());
 }
 
 }  // namespace cambrian

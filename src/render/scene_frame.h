@@ -43,6 +43,7 @@ struct SceneFrame {
     // What is in space, behind all shapes; it fills the view in place of a backdrop. Null for none.
     std::shared_ptr<const SpaceFrame> space;
     Detail detail = Detail::kFull;
+    GroundShape ground;
 
     void add_box(const Vec2& center, const Vec2& half_extents, const Color& fill);
     void add_line(const Vec2& from, const Vec2& to, double width, const Color& color);

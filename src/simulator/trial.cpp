@@ -1,5 +1,6 @@
 #include "simulator/trial.h"
 
+#include "core/random.h"
 #include "core/text/number_text.h"
 #include "math/angle.h"
 #include "simulator/passive_sink.h"
@@ -13,9 +14,10 @@
 namespace cambrian {
 namespace {
 
-constexpr int kCalmTicks = 24;   // 0.4 s
-constexpr int kDeepTicks = 12;   // 0.2 s
-constexpr int kLengthTicks = 3;  // 0.05 s between two measurements of the body's length
+constexpr int kCalmTicks = 24;          // 0.4 s
+constexpr int kDeepTicks = 12;          // 0.2 s
+constexpr std::uint64_t kGround = 104;  // separates the draws of the ground from others
+constexpr int kLengthTicks = 3;         // 0.05 s between two measurements of the body's length
 // Trials with fewer evaluations take some tenths of a second and are finished rather than
 // interrupted.
 constexpr std::uint64_t kLongTrial = 100000;  // evaluations
@@ -30,9 +32,19 @@ Vec3 up_of(const Environment& environment) {
     return {-pull.cosine, -pull.sine, 0.0};
 }
 
+// Returns the environment with the ground that chance gives to this trial.
+Environment with_ground_of(const LightDraw& draw, Environment environment) {
+    TerrainSettings& terrain = environment.terrain;
+    if (terrain.same) return environment;
+    terrain.seed =
+        stream_seed({terrain.seed, draw.seed, static_cast<std::uint64_t>(draw.trial), kGround});
+    terrain.same = true;
+    return environment;
+}
+
 // Returns the environment of a world before it is tilted to the other side.
 Environment tilted(const TrialWorld& world) {
-    Environment environment = world.environment;
+    Environment environment = with_ground_of(world.light, world.environment);
     environment.gravity_direction += world.tilt;
     return environment;
 }
@@ -48,6 +60,11 @@ Result<std::unique_ptr<Bout>> begin_bout(const Kinds& kinds, const TrialWorld& w
 }
 
 }  // namespace
+
+TrialWorld with_drawn_ground(TrialWorld world) {
+    world.environment = with_ground_of(world.light, world.environment);
+    return world;
+}
 
 Result<std::unique_ptr<Trial>> Trial::start(std::shared_ptr<const Phenotype> phenotype,
                                             const Kinds& kinds, const TrialWorld& world) {
@@ -66,11 +83,11 @@ Result<std::unique_ptr<Trial>> Trial::start(std::shared_ptr<const Phenotype> phe
 Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
              const TrialWorld& world, Bodies bodies)
     : phenotype_(std::move(phenotype)),
-      world_(world),
+      world_(with_drawn_ground(world)),
       test_length_(static_cast<std::uint64_t>(ticks_in(world.trial.duration))),
       scene_(std::move(bodies.scene)),
       bout_(std::move(bodies.bout)),
-      surroundings_(tilted(world), world_.light, senses_of(*phenotype_, kinds)),
+      surroundings_(tilted(world_), world_.light, senses_of(*phenotype_, kinds)),
       creature_(*phenotype_, kinds, world_.scene),
       length_(phenotype_->parts.size()),
       coordinates_(phenotype_->effectors.size()),
@@ -115,16 +132,21 @@ void Trial::add_to_digest() {
     if (bout_) bout_->add_to_digest(progress_.digest);
 }
 
-void Trial::set_environment(const Environment& environment) {
+void Trial::set_environment(const Environment& edited) {
+    const Environment environment = with_ground_of(world_.light, edited);
     scene_->set_environment(environment);
     surroundings_.set_environment(environment);
     if (bout_) bout_->set_environment(environment);
 }
 
 void Trial::place_at_start() {
+    const Environment& environment = world_.environment;
+    // What is below the creature depends on where it stands.
+    if (!environment.terrain.is_flat())
+        scene_->translate(Vec3(-scene_->center_of_mass().x(), 0.0, 0.0));
     const Vec3 center = scene_->center_of_mass();
     const double lift =
-        world_.environment.has_ground ? kStartClearance - scene_->lowest_point() : -center.y();
+        environment.has_ground ? kStartClearance - scene_->ground_gap() : -center.y();
     scene_->translate(Vec3(-center.x(), lift, -center.z()));
 }
 
@@ -273,7 +295,7 @@ void Trial::watch_body() {
     if (progress_.test_ticks % kLengthTicks == 0)
         record.body_length = length_.longest(*scene_, record.body_length);
     if (!record.has_ground) return;
-    record.jumps.watch(scene_->lowest_point(), scene_->center_of_mass().dot(record.up));
+    record.jumps.watch(scene_->ground_gap(), scene_->center_of_mass().dot(record.up));
 }
 
 void Trial::sample() {
@@ -291,7 +313,7 @@ void Trial::check_guards() {
     } else if (audit.max_part_spin > limits.max_part_spin) {
         fail(Outcome::kDisqualified, "a part spun faster than the limit");
     } else if (audit.max_penetration > limits.max_ground_depth) {
-        const bool deep = scene_->lowest_point() < -limits.max_ground_depth;
+        const bool deep = scene_->ground_gap() < -limits.max_ground_depth;
         progress_.deep_ticks = world_.environment.has_ground && deep ? progress_.deep_ticks + 1 : 0;
         if (progress_.deep_ticks > kDeepTicks)
             fail(Outcome::kDisqualified, "a part sank into the ground");

@@ -43,6 +43,9 @@ struct TrialWorld {
     friend bool operator==(const TrialWorld&, const TrialWorld&) = default;
 };
 
+// Returns the world with the ground that its chance draws, if that is not always the same.
+TrialWorld with_drawn_ground(TrialWorld world);
+
 // Half of its functions only show a part of it to who watches or continues a trial.
 class Trial {
     // The progress of the trial and its records so far.

@@ -57,6 +57,8 @@ public:
     virtual double kinetic_energy() const = 0;         // J
     virtual Bounds bounds() const = 0;                 // of all corners of all parts
     virtual double lowest_point() const = 0;           // m, bounds().low.y(); faster
+    // Returns the least height of a part above the ground, straight down, in m.
+    virtual double ground_gap() const { return lowest_point(); }
 
 protected:
     static JointDegree first_degree(std::size_t part) { return {static_cast<std::uint16_t>(part)}; }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "world/terrain_settings.h"
+
 #include <array>
 #include <string>
 #include <string_view>
@@ -17,7 +19,8 @@ inline constexpr std::array<std::string_view, 3> kLightMotionIds = {"still", "ju
 struct Environment {
     double gravity = kEarthGravity;    // m/s^2, at least 0
     double gravity_direction = -90.0;  // degrees from +x, counter-clockwise; -90 is down
-    bool has_ground = true;            // the half-space y <= 0
+    bool has_ground = true;            // the half-space y <= 0, or with the shape of the terrain
+    TerrainSettings terrain;
     // Coefficient of Coulomb friction, at least 0, for ground and self-contact.
     double friction = 0.8;
     double elasticity = 0.2;  // coefficient of restitution, in [0, 1]

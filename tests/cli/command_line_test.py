@@ -6,7 +6,7 @@ from program import BAD_INPUT, DONE, FAILED, ROOT, ProgramTest
 
 SUBCOMMANDS = ["studio", "view", "evolve", "simulate", "render", "verify", "rescore", "lift",
                "settings", "worker", "cluster", "preserve", "compare", "export", "schema", "manual",
-               "completion"]
+               "completion", "terrain"]
 
 
 class CommandLine(ProgramTest):
@@ -63,6 +63,16 @@ class CommandLine(ProgramTest):
         for sample in samples:
             kind = ["--preserve"] if "[preserve]" in sample.read_text() else []
             self.assertEqual(self.run_well("settings", sample, *kind).stdout, sample.read_text())
+
+    def test_ground_of_others_becomes_settings_and_is_listed(self):
+        self.write("stairs.csv", "-9,0\n2,0\n2,0.3\n9,0.5\n")
+        self.run_well("terrain", "--import", "stairs.csv", "--out", "stairs.toml")
+        points = self.run_well("terrain", "stairs.toml").stdout
+        self.assertIn("2,0\n2,0.3\n9,0.5\n", points)
+        self.assert_refused(self.run_program("terrain", ROOT / "assets/settings/walking.toml"),
+                            "flat")
+        self.write("back.csv", "0,0\n-1,0\n")
+        self.assert_refused(self.run_program("terrain", "--import", "back.csv"), "point 2")
 
     def test_settings_of_a_goal_come_with_its_world(self):
         self.run_well("settings", "--goal", "swimming", "--out", "swim.toml")

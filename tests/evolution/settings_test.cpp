@@ -63,7 +63,8 @@ TEST_CASE("a number outside its range is an error that names it", "[evolution][s
             **text = "no-such-thing";
             const Status status = check_settings(settings, kinds());
             REQUIRE_FALSE(status);
-            CHECK(status.error().message.find("no-such-thing") != std::string::npos);
+            CHECK_THAT(status.error().message,
+                       Catch::Contains(field.check_text ? field.key : "no-such-thing"));
         }
     }
 }
@@ -182,6 +183,40 @@ TEST_CASE("a goal that follows a light says what it lacks", "[evolution][setting
     CHECK(setting_warnings(settings, kinds()).empty());
     settings.world.environment.light_x = std::nan("");
     CHECK(check_settings(settings, kinds()).error().message.find("[environment] light-x") == 0);
+}
+
+TEST_CASE("ground with a shape says what it lacks and where it is not built",
+          "[evolution][settings][terrain]") {
+    const auto fault = [](const ExperimentSettings& settings) {
+        const Status checked = check_settings(settings, kinds());
+        return checked ? std::string() : checked.error().message;
+    };
+    ExperimentSettings settings;
+    TerrainSettings& terrain = settings.world.environment.terrain;
+    for (const std::string_view kind : kTerrainIds) {
+        terrain.kind = kind;
+        INFO(kind);
+        CHECK((fault(settings) == "") == (kind != "drawn"));
+    }
+    CHECK_THAT(fault(settings), Catch::Contains("terrain-points") && Catch::Contains("at least 2"));
+    terrain.points = "0 0; 3 1";
+    CHECK(fault(settings).empty());
+    settings.world.environment.has_ground = false;
+    CHECK_THAT(fault(settings), Catch::Contains("there is no ground"));
+    settings.world.environment.has_ground = true;
+    settings.world.trial.has_cube = true;
+    CHECK_THAT(fault(settings), Catch::Contains("flat ground"));
+    settings.world.trial.has_cube = false;
+    settings.world.environment.has_light = true;
+    settings.world.environment.light_motion = "jumping";
+    CHECK_THAT(fault(settings), Catch::Contains("a light that moves"));
+    settings.world.environment.has_light = false;
+    terrain.kind = "hills";
+    CHECK_THAT(setting_warnings(settings, kinds()).back(), Catch::Contains("terrain-points"));
+    ExperimentSettings preserve = preserve_defaults(kinds(), true);
+    CHECK(check_preserve(preserve, kinds()).has_value());
+    preserve.world.environment.terrain = terrain;
+    CHECK_THAT(check_preserve(preserve, kinds()).error().message, Catch::Contains("flat"));
 }
 
 TEST_CASE("hopeless trials end early by default where that saves time", "[evolution][settings]") {

@@ -2,6 +2,7 @@
 #include "golden/golden.h"
 #include "planar/bodies.h"
 #include "support/workload.h"
+#include "world/terrain.h"
 
 namespace cambrian::golden {
 namespace {
@@ -85,6 +86,28 @@ std::uint64_t digest_of_deforming(const Environment& environment) {
     return hash.value();
 }
 
+// Simulates trees on ground with a shape, and the shape itself.
+std::uint64_t digest_of_terrain(const std::string& kind) {
+    Environment environment;
+    TerrainSettings& terrain = environment.terrain;
+    terrain = {kind, 0.2, 0.5, 0.4, 3.0, 1.0, kind == "hills" ? "different" : "mirrored"};
+    terrain.points = "-5 0.5; 0 0; 1 0.2; 1 0.4; 2 0.4; 2.5 -0.3; 9 0.6";
+    Hash64 hash;
+    const auto ground = Terrain::make(terrain);
+    for (double x = -80.0; x < 80.0; x += 0.37)
+        hash.add((*ground)->height(x));
+    for (std::uint64_t tree = 0; tree < 3; ++tree) {
+        RandomStream random(stream_seed({23, tree}));
+        const BodyPlan plan = random_tree(random, 8, 0.25, 20.0, 1.2);
+        const auto scene = make_scene(plan, environment);
+        scene->translate(Vec3(2.0 - scene->center_of_mass().x(), 0.0, 0.0));
+        scene->translate(Vec3(0.0, 0.02 - scene->ground_gap(), 0.0));
+        flail_for(*scene, plan, 3.0);
+        add_scene(hash, *scene);
+    }
+    return hash.value();
+}
+
 }  // namespace
 
 void add_physics_digests(Digests& digests) {
@@ -106,6 +129,11 @@ void add_physics_digests(Digests& digests) {
     for (const Workload& workload : all_workloads())
         digests.push_back(
             {"physics.deforming." + workload.id, digest_of_deforming(workload.environment)});
+    for (const std::string_view kind : kTerrainIds) {
+        if (kind != "flat")
+            digests.push_back(
+                {"physics.terrain." + std::string(kind), digest_of_terrain(std::string(kind))});
+    }
 }
 
 }  // namespace cambrian::golden

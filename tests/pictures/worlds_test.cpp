@@ -2,6 +2,7 @@
 
 #include "pictures/scene/worlds.h"
 
+#include "pictures/scene/shaped_ground.h"
 #include "render/opengl/framebuffer.h"
 #include "render/opengl/offscreen_context.h"
 #include "render/opengl/pixels.h"
@@ -153,6 +154,47 @@ TEST_CASE("ground begins at height 0 and moves with the camera, what is far move
         for (const int y : {0, 148})
             CHECK(moved_by(after, before, y, 4));
     }
+}
+
+TEST_CASE("ground with a shape fills what is below its surface, and grass follows it",
+          "[pictures][worlds][picture]") {
+    Easel easel;
+    Environment environment;
+    environment.terrain.kind = "drawn";
+    environment.terrain.points = "-1 0; 0 0; 0.5 0.5; 0.5 1; 9 1";
+    Camera camera;
+    camera.pixels_per_metre = 100.0;
+    camera.center = {0.0, 0.5};
+    const DrawnWorld& world = drawn_world(WorldKind::kMeadow, Daytime::kNoon);
+    SceneFrame frame;
+    use_ground(frame, environment, camera, {320.0, 200.0});
+    CHECK(frame.ground.at(-0.5) == 0.0);
+    CHECK(frame.ground.at(0.25) == Approx(0.25));
+    CHECK(frame.ground.at(0.75) == Approx(1.0));
+    add_scenery(frame, world, camera, {320.0, 200.0}, 0.0);
+    const auto foot = [](const Shape& blade) {
+        return Vec2(blade.center +
+                    blade.half_extents.y() * Vec2(std::sin(blade.angle), -std::cos(blade.angle)));
+    };
+    int blades = 0;
+    for (const Shape& shape : frame.shapes) {
+        if (shape.half_extents.x() > 0.01 || shape.half_extents.y() < 0.01) continue;
+        CHECK(foot(shape).y() == Approx(frame.ground.at(foot(shape).x()) - 0.008).margin(1e-6));
+        ++blades;
+    }
+    CHECK(blades > 40);
+    frame.shapes.clear();
+    const Image image = easel.picture(frame, camera, 320, 200);
+    // Of the soil below the surface no colour is that of the sky above it.
+    const auto blue = [&](double x, double y) {
+        const auto column = static_cast<std::size_t>(160.0 + 100.0 * x);
+        const auto row = static_cast<std::size_t>(100.0 - 100.0 * (y - 0.5));
+        return static_cast<int>(image.rgb[3 * (320 * row + column) + 2]);
+    };
+    CHECK(blue(0.25, 0.15) < 100);  // in the slope
+    CHECK(blue(0.7, 0.9) < 100);    // in the block behind it
+    CHECK(blue(0.25, 0.95) > 120);  // above the slope
+    CHECK(blue(-0.7, 0.9) > 120);
 }
 
 TEST_CASE("views of any size and place have a backdrop", "[pictures][worlds][picture]") {

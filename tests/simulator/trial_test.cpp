@@ -40,6 +40,39 @@ TEST_CASE("a creature starts 2 cm above the ground over x = 0", "[simulator]") {
     CHECK((*trial)->settling());
 }
 
+TEST_CASE("a creature starts 2 cm above the ground that is below it", "[simulator][terrain]") {
+    TrialWorld world;
+    world.environment.terrain.kind = "drawn";
+    world.environment.terrain.points = "-9 3; 0 5; 9 3";
+    auto trial = Trial::start(grown(test::crawler(test::creature_kinds().catalog), world),
+                              test::creature_kinds(), world);
+    REQUIRE(trial);
+    const PhysicsScene& scene = (*trial)->scene();
+    CHECK(scene.ground_gap() == Approx(0.02));
+    CHECK(scene.bounds().low.y() > 3.0);
+    CHECK(scene.center_of_mass().x() == Approx(0.0).margin(1e-12));
+}
+
+TEST_CASE("ground that is not always the same is drawn for each trial", "[simulator][terrain]") {
+    const GenomePtr genome = test::crawler(test::creature_kinds().catalog);
+    TrialWorld world;
+    world.environment.terrain.kind = "rough";
+    world.environment.terrain.height = 0.1;
+    world.environment.terrain.pad = 1.0;
+    world.light = {7, 0};
+    const TrialWorld same = world;
+    TrialWorld other = same;
+    other.light.trial = 1;
+    CHECK(with_drawn_ground(same) == same);
+    CHECK(run(genome, same).digest == run(genome, other).digest);
+    world.environment.terrain.same = false;
+    other.environment.terrain.same = false;
+    CHECK(with_drawn_ground(world) == with_drawn_ground(world));
+    CHECK(with_drawn_ground(world).environment.terrain.seed !=
+          with_drawn_ground(other).environment.terrain.seed);
+    CHECK(with_drawn_ground(with_drawn_ground(world)) == with_drawn_ground(world));
+}
+
 TEST_CASE("the clock starts only once the creature has settled", "[simulator]") {
     const TrialRecord record = run(test::crawler(test::creature_kinds().catalog));
     CHECK(record.settle_time >= 0.4);

@@ -19,6 +19,7 @@ SubcommandKind schema_subcommand();
 SubcommandKind settings_subcommand();
 SubcommandKind simulate_subcommand();
 SubcommandKind studio_subcommand();
+SubcommandKind terrain_subcommand();
 SubcommandKind verify_subcommand();
 SubcommandKind view_subcommand();
 SubcommandKind worker_subcommand();

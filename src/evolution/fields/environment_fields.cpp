@@ -135,7 +135,8 @@ void add_environment(std::vector<SettingField>& fields) {
         Range{-180, 180},
         "The direction of gravity, counter-clockwise from the right. -90 is straight down.");
     world.flag(&Environment::has_ground, "ground", "Ground",
-               "The ground is a flat, endless floor at height 0.");
+               "The ground is an endless floor at height 0.");
+    add_terrain(world);
     world.number(&Environment::friction, "friction", "Friction", "", Range{0, 100},
                  "The coefficient of friction between parts and the ground, and between parts. Ice "
                  "has 0.05, rubber 1.");

@@ -151,6 +151,8 @@ Status check_world(const Settings& s) {
             fmt::format("[environment] light-motion: a preserve's light does not move; expected "
                         "\"still\", found \"{}\"",
                         s.world.environment.light_motion)};
+    if (!s.world.environment.terrain.is_flat())
+        return Error{"[environment] terrain: the ground of a preserve is flat; expected \"flat\""};
     return {};
 }
 
@@ -189,7 +191,8 @@ std::vector<SettingField> preserve_fields(const EvolutionKinds& kinds) {
     for (SettingField& field : setting_fields(kinds)) {
         const bool foreign = std::find(kForeignTables.begin(), kForeignTables.end(), field.table) !=
                              kForeignTables.end();
-        if (!foreign || field.key == "seed") fields.push_back(std::move(field));
+        if (foreign && field.key != "seed") continue;
+        if (!setting_table::is_of_terrain(field)) fields.push_back(std::move(field));
     }
     return fields;
 }

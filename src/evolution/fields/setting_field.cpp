@@ -251,6 +251,7 @@ Status check_order(double low, double high, const char* low_key, const char* hig
 Status check_together(const Settings& s, const EvolutionKinds& kinds) {
     if (Status order = setting_table::check_founders(s); !order) return order;
     if (Status order = setting_table::check_distances(s); !order) return order;
+    if (Status ground = setting_table::check_terrain(s); !ground) return ground;
     if (Status goal = setting_table::check_goal(s, kinds); !goal) return goal;
     if (const auto excess = trial_excess(s.world)) return Error{"[trial] duration: " + *excess};
     return setting_table::check_creatures(s, kinds);

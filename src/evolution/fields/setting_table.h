@@ -16,6 +16,10 @@ Status check_founders(const Settings& settings);   // the order of the limits of
 Status check_distances(const Settings& settings);  // the order of limits of light and wall
 
 void add_environment(std::vector<SettingField>& fields);
+// The shape of the ground. The check fails where it contradicts other settings.
+void add_terrain(TableBuilder& world);
+bool is_of_terrain(const SettingField& field);
+Status check_terrain(const Settings& settings);
 // Adds the goal. check_goal fails if its environment or sensors make the goal impossible.
 void add_goal(std::vector<SettingField>& fields, const EvolutionKinds& kinds);
 Status check_goal(const Settings& settings, const EvolutionKinds& kinds);

@@ -16,6 +16,12 @@ std::vector<std::string> setting_warnings(const ExperimentSettings& settings,
                             goal->id, mismatch));
         }
     }
+    const TerrainSettings& terrain = settings.world.environment.terrain;
+    if (!terrain.points.empty() && terrain.kind != "drawn")
+        warnings.push_back(
+            fmt::format("[environment] terrain-points: they have no effect while "
+                        "terrain is \"{}\".",
+                        terrain.kind));
     const TrialSettings& trial = settings.world.trial;
     if (trial.trials == 1 && (trial.friction_jitter > 0.0 || trial.tilt_jitter > 0.0))
         warnings.emplace_back("[trial] trials: jitter has no effect on the first trial of 1.");

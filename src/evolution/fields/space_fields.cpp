@@ -65,6 +65,7 @@ void adapt_to_space(std::vector<SettingField>& fields) {
             field.high *= kSpaceScale;
         }
     }
+    std::erase_if(fields, is_of_terrain);
     std::vector<SettingField> added;
     TableBuilder world(added, "environment");
     SettingField& dimensions = world.number(
@@ -93,6 +94,8 @@ Status check_space(const Settings& s, const EvolutionKinds& kinds) {
     if (!is_goal_of_space(s.goal)) return refused("[goal] behavior", fmt::format("{} is", s.goal));
     if (s.world.environment.has_light) return refused("[environment] light", "the light is");
     if (s.world.environment.has_wall) return refused("[environment] wall", "walls are");
+    if (!s.world.environment.terrain.is_flat())
+        return refused("[environment] terrain", "ground with a shape is");
     if (s.world.trial.has_cube) return refused("[trial] cube", "the cube is");
     if (s.expression.strict_overlap)
         return refused("[body] strict-overlap", "the check of overlaps is");

@@ -9,7 +9,7 @@ bool several(const Settings& settings) {
 
 bool depends_on_chance(const Settings& settings) {
     const Environment& world = settings.world.environment;
-    return several(settings) || world.has_wall ||
+    return several(settings) || world.has_wall || !world.terrain.same ||
            (world.has_light && world.light_motion != "still");
 }
 

@@ -27,6 +27,7 @@ void adopt_space(TrialWorld& world) {
     constexpr double scale = 1000.0;  // kg/m^3 of a body that is as heavy as water
     Environment& environment = world.environment;
     environment.dimensions = 3;
+    environment.terrain = {};
     environment.density *= scale;
     environment.viscosity_linear *= scale;
     environment.viscosity_quadratic *= scale;

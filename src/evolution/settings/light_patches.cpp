@@ -1,7 +1,7 @@
 #include "evolution/settings/light_patches.h"
 
+#include "core/text/number_rows.h"
 #include "core/text/number_text.h"
-#include "evolution/settings/number_rows.h"
 
 #include <fmt/core.h>
 

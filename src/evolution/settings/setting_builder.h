@@ -65,9 +65,9 @@ struct Range {
 // Returns the settings themselves, or their part of that type.
 template <class Part>
 Part& part_of(Settings& s) {
-    return std::get<Part&>(std::tie(s, s.world.environment, s.world.scene, s.world.trial,
-                                    s.population, s.selection, s.mutation, s.breeding, s.founders,
-                                    s.expression, s.preserve));
+    return std::get<Part&>(std::tie(s, s.world.environment, s.world.environment.terrain,
+                                    s.world.scene, s.world.trial, s.population, s.selection,
+                                    s.mutation, s.breeding, s.founders, s.expression, s.preserve));
 }
 
 // Adds the fields of one table. The value of a field is a member of the settings or of a part of

@@ -1,7 +1,7 @@
 #include "evolution/settings/wall_lines.h"
 
+#include "core/text/number_rows.h"
 #include "core/text/number_text.h"
-#include "evolution/settings/number_rows.h"
 #include "world/fixed_box.h"
 
 #include <fmt/core.h>

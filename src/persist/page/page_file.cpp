@@ -136,6 +136,8 @@ struct PlacedCreature {
 Result<PlacedCreature> place(const PageCreature& creature, std::size_t number,
                              const EvolutionKinds& kinds) {
     const CreatureDocument& document = creature.document;
+    if (!document.settings().world.environment.terrain.is_flat())
+        return Error{"the creature's ground is not flat, which pages cannot show yet"};
     const auto phenotype = std::make_shared<const Phenotype>(
         express(document.genome(), kinds.creature, document.settings().expression,
                 document.settings().world.scene));

@@ -156,6 +156,7 @@ Result<RecordedTrial> record_trial(std::shared_ptr<const Phenotype> phenotype, c
     RecordedTrial recorded;
     recorded.motion.phenotype = std::move(phenotype);
     recorded.motion.complete = true;
+    recorded.environment = trial.world().environment;
     if (trial.bout() != nullptr) recorded.motion.opponent = trial.bout()->opponent_body();
     MotionRecorder recorder(recorded.motion, most_bytes, world.environment.has_ground);
     recorder.add(settle(trial));

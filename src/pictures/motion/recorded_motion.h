@@ -68,6 +68,7 @@ inline constexpr std::size_t kMostMotion = 48'000'000;  // bytes
 struct RecordedTrial {
     RecordedMotion motion;  // up to the end of the test phase; has at least its start
     TrialRecord record;
+    Environment environment;
 };
 
 // Runs a trial to its end. Fails if physics rejects the body or if a stop is requested.

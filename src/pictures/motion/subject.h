@@ -27,7 +27,7 @@ struct Subject {
     std::optional<bool> verified;
 
     double hue() const { return creature.genome().hue; }  // hue of its lineage, in turns
-    const Environment& environment() const { return creature.settings->world.environment; }
+    const Environment& environment() const { return trial.environment; }
     const RecordedMotion& motion() const { return trial.motion; }
     const Phenotype& phenotype() const { return *trial.motion.phenotype; }
 };

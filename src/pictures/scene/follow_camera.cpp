@@ -1,6 +1,7 @@
 #include "pictures/scene/follow_camera.h"
 
 #include "math/elementary.h"
+#include "pictures/scene/shaped_ground.h"
 
 #include <algorithm>
 
@@ -31,12 +32,16 @@ WorldWindow body_window(const Phenotype& phenotype, std::span<const Pose> poses)
     return window;
 }
 
-Vec2 follow_center(const Vec2& center_of_mass, bool has_ground, const Camera& camera,
+Vec2 follow_center(const Vec2& center_of_mass, const Environment& environment, const Camera& camera,
                    const Viewport& viewport) {
-    if (!has_ground) return center_of_mass;
+    if (!environment.has_ground) return center_of_mass;
     const double height = viewport.height * camera.pixel();
     const double level = (0.5 - kHorizonShare) * height;
-    return {center_of_mass.x(), std::max(level, center_of_mass.y() - 0.2 * height)};
+    if (environment.terrain.is_flat())
+        return {center_of_mass.x(), std::max(level, center_of_mass.y() - 0.2 * height)};
+    const double land = level + land_level(environment, center_of_mass.x());
+    return {center_of_mass.x(), std::clamp(land, center_of_mass.y() - 0.2 * height,
+                                           center_of_mass.y() + 0.35 * height)};
 }
 
 }  // namespace cambrian

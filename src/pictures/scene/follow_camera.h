@@ -4,6 +4,7 @@
 
 #include "creature/phenotype.h"
 #include "render/camera.h"
+#include "world/environment.h"
 
 #include <span>
 
@@ -13,8 +14,8 @@ namespace cambrian {
 WorldWindow body_window(const Phenotype& phenotype, std::span<const Pose> poses);
 
 // Returns the camera's centre for a creature with that centre of mass. Over ground, the horizon
-// keeps its place on the screen unless the creature would rise out of sight.
-Vec2 follow_center(const Vec2& center_of_mass, bool has_ground, const Camera& camera,
+// keeps its place on the screen unless the creature would rise out of sight or sink into a pit.
+Vec2 follow_center(const Vec2& center_of_mass, const Environment& environment, const Camera& camera,
                    const Viewport& viewport);
 
 }  // namespace cambrian

@@ -5,6 +5,7 @@
 #include "pictures/scene/bout_scene.h"
 #include "pictures/scene/follow_camera.h"
 #include "pictures/scene/living_look.h"
+#include "pictures/scene/shaped_ground.h"
 #include "pictures/scene/small_life.h"
 #include "pictures/scene/space_moment.h"
 #include "pictures/scene/stone_wall.h"
@@ -76,6 +77,7 @@ SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& 
         character_at(subject, moment)};
     SceneFrame scene;
     scene.background = style.palette.sky;
+    use_ground(scene, subject.environment(), camera, viewport);
     if (style.world != nullptr) {
         add_scenery(scene, *style.world, camera, viewport, moment.time);
     } else {
@@ -110,15 +112,22 @@ SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& 
     return scene;
 }
 
+struct SeenGround {
+    const Camera& camera;
+    const Viewport& viewport;
+    const GroundShape& ground;
+};
+
 // Labels each ground mark with its distance.
-void add_ground_labels(PictureCanvas& canvas, const Area& area, const Camera& camera,
-                       const Viewport& viewport, const MomentStyle& style) {
+void add_ground_labels(PictureCanvas& canvas, const Area& area, const SeenGround& seen,
+                       const MomentStyle& style) {
+    const auto& [camera, viewport, ground] = seen;
     const WorldWindow window = camera.window(viewport);
     const double spacing = label_spacing(camera, style);
     const Ink ink{Typeface::kRegular, style.label_size, style.palette.muted};
     for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
         const std::string label = with_unit(i * spacing, "m");
-        const Vec2 at = camera.to_screen({i * spacing, 0.0}, viewport);
+        const Vec2 at = camera.to_screen({i * spacing, ground.at(i * spacing)}, viewport);
         const double half =
             0.5 * canvas.text_rasterizer().width(label, ink.typeface, ink.size) + 4.0;
         const double base = at.y() + 1.75 * style.label_size;
@@ -194,11 +203,13 @@ void add_moment(PictureCanvas& canvas, const Area& area, const Subject& subject,
     const Viewport viewport{area.width, area.height};
     Camera camera;
     camera.pixels_per_metre = style.pixels_per_metre;
-    const bool ground = subject.environment().has_ground;
+    const Environment& environment = subject.environment();
     camera.center =
-        follow_center(middle_of(subject.motion(), moment.frame), ground, camera, viewport);
-    canvas.add_scene(scene_of(subject, moment, camera, viewport, style), camera, area);
-    if (ground && style.world == nullptr) add_ground_labels(canvas, area, camera, viewport, style);
+        follow_center(middle_of(subject.motion(), moment.frame), environment, camera, viewport);
+    const SceneFrame scene = scene_of(subject, moment, camera, viewport, style);
+    canvas.add_scene(scene, camera, area);
+    if (environment.has_ground && style.world == nullptr)
+        add_ground_labels(canvas, area, {camera, viewport, scene.ground}, style);
 }
 
 std::string facts_line(const Subject& subject) {

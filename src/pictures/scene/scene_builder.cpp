@@ -92,6 +92,29 @@ void add_horizontal(SceneFrame& frame, double y, const WorldWindow& window, doub
                   {0.5 * (window.high.x() - window.low.x()), 0.5 * pixel}, color);
 }
 
+// Fills the ground column by column and draws its surface as a line over the steps between them.
+void add_shaped_ground(SceneFrame& frame, const Palette& palette, const Camera& camera,
+                       const Viewport& viewport) {
+    constexpr double kColumnPixels = 3.0;
+    const WorldWindow window = camera.window(viewport);
+    const double half = 0.5 * kColumnPixels * camera.pixel();
+    const double low = window.low.y() - 2.0 * camera.pixel();
+    for (double x = window.low.x() + half; x < window.high.x() + 2.0 * half; x += 2.0 * half) {
+        const double high = std::min(frame.ground.at(x), window.high.y() + 1.0);
+        if (high > low)
+            frame.add_box({x, 0.5 * (low + high)}, {half, 0.5 * (high - low)}, palette.ground);
+    }
+    const std::vector<Vec2>& surface = frame.ground.surface;
+    for (std::size_t i = 1; i < surface.size(); ++i) {
+        frame.add_line(surface[i - 1], surface[i], 3.0 * camera.pixel(), palette.ground_line);
+    }
+    const double spacing = mark_spacing(camera, kTickPixels);
+    const double length = 7.0 * camera.pixel();
+    for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0)
+        frame.add_box({i * spacing, frame.ground.at(i * spacing) - 0.5 * length},
+                      {0.5 * camera.pixel(), 0.5 * length}, palette.ground_line);
+}
+
 // Returns where in the spread of hues a gene node is, -0.5 to 0.5: the first in the middle, and
 // nodes that follow each other far apart, by the golden ratio.
 double hue_place(std::uint8_t node) {
@@ -139,6 +162,7 @@ void add_grid(SceneFrame& frame, const Palette& palette, const Camera& camera,
 void add_ground(SceneFrame& frame, const Palette& palette, const Camera& camera,
                 const Viewport& viewport) {
     const WorldWindow window = camera.window(viewport);
+    if (!frame.ground.is_flat()) return add_shaped_ground(frame, palette, camera, viewport);
     if (window.low.y() > 0.0) return;
     const Vec2 low = window.low - Vec2::Constant(2.0 * camera.pixel());
     const double width = window.high.x() - low.x() + 4.0 * camera.pixel();
@@ -176,9 +200,10 @@ void add_shadow(SceneFrame& frame, const CreatureLook& look) {
         const double angle = planar_angle(look.poses[i]);
         const double reach =
             std::fabs(std::cos(angle)) * half.x() + std::fabs(std::sin(angle)) * half.y();
-        const double height = std::max(0.0, look.poses[i].position.y());
+        const double ground = frame.ground.at(look.poses[i].position.x());
+        const double height = std::max(0.0, look.poses[i].position.y() - ground);
         Shape shadow;
-        shadow.center = {look.poses[i].position.x(), -0.03};
+        shadow.center = {look.poses[i].position.x(), ground - 0.03};
         shadow.half_extents = {reach, 0.02};
         shadow.radius = 0.02;
         shadow.blur = 0.03 + 0.05 * height;

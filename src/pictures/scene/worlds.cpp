@@ -259,14 +259,23 @@ struct BladeRow {
     double spacing = 0.03;  // m
     double least = 0.03;    // m; length of the shortest
     double most = 0.12;     // m
-    double foot = 0.0;      // m; height of their feet
+    double foot = 0.0;      // m; height of their feet above the ground
     std::uint32_t use = 0;  // of scattered numbers
 };
+
+// Whether nothing grows at a place, since it is a wall or beside one.
+bool is_steep(const GroundShape& ground, double x) {
+    constexpr double kBeside = 0.02;   // m
+    constexpr double kSteepest = 1.7;  // steepness
+    if (ground.is_flat()) return false;
+    return std::fabs(ground.at(x + kBeside) - ground.at(x - kBeside)) > 2.0 * kBeside * kSteepest;
+}
 
 void add_grass(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
                const Viewport& viewport, double time, const BladeRow& row) {
     const WorldWindow window = camera.window(viewport);
-    if (world.grass.a <= 0.0F || window.low.y() > row.most || window.high.y() < 0.0) return;
+    if (world.grass.a <= 0.0F) return;
+    if (frame.ground.is_flat() && (window.low.y() > row.most || window.high.y() < 0.0)) return;
     if (row.most * camera.pixels_per_metre < kLeastBladePixels) return;
     double spacing = row.spacing;
     while (spacing * camera.pixels_per_metre < 5.0)
@@ -278,6 +287,8 @@ void add_grass(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
         if (frame.detail == Detail::kLight && place % 2 != 0) continue;
         const auto draw = [&](std::uint32_t use) { return scattered(place, row.use + use); };
         const double x = (i + 0.8 * (draw(1) - 0.5)) * spacing;
+        if (is_steep(frame.ground, x)) continue;
+        const double foot = frame.ground.at(x) + row.foot;
         const double tall = draw(2);
         const double length = row.least + (row.most - row.least) * tall * tall * draw(5);
         if (length * camera.pixels_per_metre < kLeastBladePixels) continue;
@@ -286,10 +297,10 @@ void add_grass(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
         const Color other = draw(6) < 0.5 ? color_of(0xE8E070) : color_of(0x103018);
         const Color color = mix(world.grass, other, 0.15F);
         const double width = std::max(1.6 * camera.pixel(), 0.007);
-        add_blade(frame, {x, row.foot}, length, width, lean, color);
+        add_blade(frame, {x, foot}, length, width, lean, color);
         if (row.use == 0 && draw(8) < 0.03) {
             const Color petals = draw(9) < 0.5 ? color_of(0xF2A65A) : color_of(0xF4EFE6);
-            const Vec2 top(x - std::sin(lean) * length, row.foot + std::cos(lean) * length);
+            const Vec2 top(x - std::sin(lean) * length, foot + std::cos(lean) * length);
             frame.add_circle(top, std::max(1.6 * camera.pixel(), 0.011),
                              mix(world.grass, petals, 0.75F));
         }
@@ -316,7 +327,7 @@ void add_specks(SceneFrame& frame, const DrawnWorld& world, const Camera& camera
         Vec2 at = 4.0 * Vec2(draw(2), draw(3)).cwiseProduct(size) + drift - depth * camera.center;
         at -= at.cwiseQuotient(size).array().floor().matrix().cwiseProduct(size);
         at += window.low - 0.1 * size_of(window);
-        if (world.recipe.has_ground && at.y() < 0.02) continue;
+        if (world.recipe.has_ground && at.y() < frame.ground.at(at.x()) + 0.02) continue;
         const double unit = depth * camera.pixel() * viewport.height / 720.0;
         if (bubble) {
             const double radius = (2.5 + 5.0 * draw(4)) * unit;
@@ -472,7 +483,7 @@ void add_ground_marks(SceneFrame& frame, const DrawnWorld& world, const Camera& 
     const WorldWindow window = camera.window(viewport);
     const double length = 9.0 * camera.pixel();
     for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0)
-        frame.add_box({i * spacing, -camera.pixel() - 0.5 * length},
+        frame.add_box({i * spacing, frame.ground.at(i * spacing) - camera.pixel() - 0.5 * length},
                       {0.75 * camera.pixel(), 0.5 * length}, with_alpha(world.words, 0.55F));
 }
 

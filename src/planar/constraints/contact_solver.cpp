@@ -2,6 +2,7 @@
 
 #include "planar/constraints/invariants.h"
 #include "planar/contact/fixed_contacts.h"
+#include "planar/contact/terrain_contacts.h"
 #include "planar/model/stretching.h"
 #include "world/environment.h"
 
@@ -141,7 +142,10 @@ void ContactSolver::detect(const PlanarModel& model, const ContactLaw& law,
     latest_ = 1 - latest_;
     PartPlaces& places = places_[latest_];
     place_parts(model, kinematics, places);
-    if (law.has_ground) detect_ground_contacts(model, kinematics, places, near_);
+    if (law.terrain != nullptr)
+        detect_terrain_contacts(model, kinematics, places, {*law.terrain, terrain_guess_}, near_);
+    else if (law.has_ground)
+        detect_ground_contacts(model, kinematics, places, near_);
     pair_list_.detect(model, kinematics, places, near_);
     if (!law.fixed.empty()) detect_fixed_contacts(model, kinematics, places, law.fixed, near_);
     if (kinematics.deforms) stretch_contacts(kinematics, near_);
@@ -151,7 +155,8 @@ void ContactSolver::detect(const PlanarModel& model, const ContactLaw& law,
 int ContactSolver::count_looks(const PlanarModel& model, const ContactLaw& law,
                                const Kinematics& from, const Kinematics& to) {
     const bool has_pairs = !model.colliding_pairs.empty() && !pair_list_.is_empty();
-    if (law.fixed.empty() && !has_pairs) return 1;
+    const bool has_fixed = !law.fixed.empty() || law.terrain != nullptr;
+    if (!has_fixed && !has_pairs) return 1;
     const BoxEnds ends{model, places_[1 - latest_], places_[latest_]};
     if (model.stretch_count > 0 || !has_sides_) {
         use_sizes(model, places_[0]);
@@ -162,12 +167,14 @@ int ContactSolver::count_looks(const PlanarModel& model, const ContactLaw& law,
     BoxTravels travels;
     find_travels(ends, from.angle, to.angle, travels);
     const bool may_pass = has_pairs && travels.most_past > sides_.thinnest;
-    if (!may_pass && law.fixed.empty()) return 1;
+    if (!may_pass && !has_fixed) return 1;
     use_sizes(model, places_[0]);
     use_sizes(model, places_[1]);
     double looks = may_pass ? pair_list_.count_looks(ends, travels, sides_) : 1.0;
     if (!law.fixed.empty())
         looks = std::max(looks, count_looks_at_fixed(ends, travels, sides_, law.fixed));
+    if (law.terrain != nullptr)
+        looks = std::max(looks, count_looks_at_terrain(ends, travels, *law.terrain));
     return static_cast<int>(std::ceil(std::min(looks, kMostLooks + 1.0)));
 }
 

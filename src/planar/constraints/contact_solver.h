@@ -8,6 +8,7 @@
 #include "planar/contact/contact.h"
 #include "planar/contact/self_contacts.h"
 #include "world/fixed_box.h"
+#include "world/terrain.h"
 
 #include <span>
 
@@ -18,6 +19,7 @@ struct ContactLaw {
     double restitution = 0.0;  // coefficient of restitution, 0 to 1
     bool has_ground = true;
     std::span<const FixedBox> fixed = {};
+    const Terrain* terrain = nullptr;  // the shape of the ground, if it is not flat
 };
 
 // Forces of the last solved step, the first guess of the next.
@@ -50,8 +52,8 @@ public:
     void detect(const PlanarModel& model, const ContactLaw& law, const Kinematics& kinematics);
     const ContactSet& near() const { return near_; }
     // Returns into how many equal parts the motion between the last two detections must be divided
-    // so that no two boxes, of which one may be fixed, can pass each other unseen within one of
-    // them; 1 if they cannot within the whole. Not more than kMostLooks + 1.
+    // so that no two boxes, of which one may be fixed or a ridge of the ground, can pass each other
+    // unseen within one of them; 1 if they cannot within the whole. Not more than kMostLooks + 1.
     int count_looks(const PlanarModel& model, const ContactLaw& law, const Kinematics& from,
                     const Kinematics& to);
     // Before another one.
@@ -126,6 +128,7 @@ private:
     int latest_ = 0;        // of them
     BoxSides sides_;        // of the model, or at the last two detections if it deforms
     bool has_sides_ = false;
+    int terrain_guess_ = 0;  // near the piece of the terrain that was found last
     ContactSet near_;
     ContactSet selected_;
     LimitSet limits_;

@@ -5,6 +5,7 @@
 #include "core/assert.h"
 #include "dynamics/contact_policy.h"
 #include "planar/model/planar_model.h"
+#include "world/fixed_box.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +17,15 @@ inline constexpr int kGroundContactIds = 4 * kMaxParts;
 inline constexpr int kIdsPerPair = 8;
 inline constexpr int kMostPairs = kMaxParts * (kMaxParts - 1) / 2;
 inline constexpr int kFixedContactIds = kGroundContactIds + kIdsPerPair * kMostPairs;
+inline constexpr int kTerrainContactIds =
+    kFixedContactIds + kIdsPerPair * kMaxParts * kMostFixedBoxes;
+inline constexpr int kIdsPerFeature = 8 * kMaxParts;  // of the terrain, for one body
+inline constexpr int kTerrainFeatures = 1 << 15;      // that have numbers of their own
 
 struct Contact {
     int id = 0;  // constant for the same feature from step to step
     int body_a = 0, body_b = -1;
-    int part_a = 0, part_b = -1;            // -1: the ground or a fixed box
+    int part_a = 0, part_b = -1;            // -1: the ground, terrain or a fixed box
     std::uint8_t face_a = 0, face_b = 0;    // Face that touches
     double point_x = 0.0, point_y = 0.0;    // m, material point in body a's frame
     double normal_x = 0.0, normal_y = 1.0;  // unit, from b to a
@@ -34,24 +39,35 @@ inline bool is_on_ground(const Contact& contact) {
     return contact.id < kGroundContactIds;
 }
 
-// Number of the group that shares one friction row: all contacts of one body with the ground, or
-// both of a pair of boxes.
-inline int friction_group(const Contact& contact) {
-    if (is_on_ground(contact)) return contact.body_a;
-    return kMaxBodies + (contact.id - kGroundContactIds) / kIdsPerPair;
+inline bool is_on_terrain(const Contact& contact) {
+    return contact.id >= kTerrainContactIds;
 }
 
-// Returns whether two contacts belong to the same pair: a corner and the ground, or two boxes.
+// Number of a body and a feature of the terrain, or of a pair of boxes.
+inline int pair_number(int id) {
+    if (id >= kTerrainContactIds) return (id - kTerrainContactIds) / kIdsPerFeature;
+    return kMaxBodies * kTerrainFeatures + (id - kGroundContactIds) / kIdsPerPair;
+}
+
+// Number of the group that shares one friction row: all contacts of one body with the ground or
+// with one feature of the terrain, or both of a pair of boxes.
+inline int friction_group(const Contact& contact) {
+    if (is_on_ground(contact)) return contact.body_a;
+    return kMaxBodies + pair_number(contact.id);
+}
+
+// Returns whether two contacts belong to the same pair: two boxes, or a corner and the ground.
 inline bool same_pair(const Contact& first, const Contact& second) {
-    if (is_on_ground(first) || is_on_ground(second)) return first.id == second.id;
+    if (is_on_ground(first) || is_on_ground(second) || is_on_terrain(first))
+        return first.id == second.id;
     return friction_group(first) == friction_group(second);
 }
 
-// The order in which contacts are detected: those with the ground by part, then pairs of boxes,
-// those with a fixed one last.
+// The order in which contacts are detected: those with the ground by part, or with the terrain by
+// body and feature, then pairs of boxes, those with a fixed one last.
 inline int detection_rank(int id) {
     if (id < kGroundContactIds) return id / 4;
-    return kMaxParts + (id - kGroundContactIds) / kIdsPerPair;
+    return kMaxParts + pair_number(id);
 }
 
 struct ContactSet {

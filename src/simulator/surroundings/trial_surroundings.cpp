@@ -10,14 +10,18 @@ namespace {
 constexpr int kColumns = 128;  // 64 m around the start
 constexpr int kRows = 64;      // 32 m
 
-// Without ground, the area is around the start in both directions, with open edges.
+bool has_floor(const Environment& environment) {
+    return environment.has_ground && environment.terrain.is_flat();
+}
+
+// Without a floor, the area is around the start in both directions, with open edges.
 ScentArea scent_area(const Environment& environment) {
     const double height = kRows * kScentCell;
     return {.left = -0.5 * kColumns * kScentCell,
-            .bottom = environment.has_ground ? 0.0 : -0.5 * height,
+            .bottom = has_floor(environment) ? 0.0 : -0.5 * height,
             .columns = kColumns,
             .rows = kRows,
-            .wall_bottom = environment.has_ground};
+            .wall_bottom = has_floor(environment)};
 }
 
 }  // namespace
@@ -31,11 +35,11 @@ TrialSurroundings::TrialSurroundings(const Environment& environment, const Light
 }
 
 void TrialSurroundings::set_environment(const Environment& environment) {
-    const bool moved_ground = environment.has_ground != environment_.has_ground;
+    const bool moved_floor = has_floor(environment) != has_floor(environment_);
     environment_ = environment;
     find_up();
     source_.set_environment(environment);
-    if (moved_ground) lay_out_field();
+    if (moved_floor) lay_out_field();
 }
 
 void TrialSurroundings::find_up() {

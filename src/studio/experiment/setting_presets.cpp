@@ -25,6 +25,7 @@ void change_world(Settings& settings, Environment medium) {
     world.gravity = medium.gravity;
     world.gravity_direction = medium.gravity_direction;
     world.has_ground = medium.has_ground;
+    world.terrain = medium.terrain;
     world.friction = medium.friction;
     world.elasticity = medium.elasticity;
     world.viscosity_linear = medium.viscosity_linear;
@@ -35,6 +36,13 @@ void go_on_land(Settings& settings, double gravity, double friction) {
     Environment world;
     world.gravity = gravity;
     world.friction = friction;
+    change_world(settings, world);
+}
+
+// On the Earth, but for the shape of the ground.
+void go_over(Settings& settings, const TerrainSettings& terrain) {
+    Environment world;
+    world.terrain = terrain;
     change_world(settings, world);
 }
 
@@ -123,6 +131,27 @@ constexpr std::string_view kSensors = "body.sensors";
 constexpr std::array kPresets = {
     SettingPreset{kEnvironment, "Earth", "Solid ground under full weight.",
                   [](Settings& s, const EvolutionKinds&) { go_on_land(s, kEarthGravity, 0.8); }},
+    SettingPreset{kEnvironment, "Rough ground", "The Earth with bumps as high as a foot.",
+                  [](Settings& s, const EvolutionKinds&) {
+                      go_over(s, {.kind = "rough", .height = 0.12, .spacing = 0.5});
+                  },
+                  true},
+    SettingPreset{kEnvironment, "Hills", "The Earth with gentle hills.",
+                  [](Settings& s, const EvolutionKinds&) {
+                      go_over(s, {.kind = "hills", .height = 0.6, .spacing = 2.5});
+                  },
+                  true},
+    SettingPreset{kEnvironment, "Stairs", "The Earth with stairs that rise to both sides.",
+                  [](Settings& s, const EvolutionKinds&) {
+                      go_over(s, {.kind = "stairs", .height = 0.12, .spacing = 0.6});
+                  },
+                  true},
+    SettingPreset{kEnvironment, "Obstacle course",
+                  "The Earth with hurdles, steps, gaps and ramps, each higher than the last.",
+                  [](Settings& s, const EvolutionKinds&) {
+                      go_over(s, {.kind = "course", .height = 0.3, .gap = 0.6});
+                  },
+                  true},
     SettingPreset{kEnvironment, "Moon", "A sixth of the weight.",
                   [](Settings& s, const EvolutionKinds&) { go_on_land(s, kMoonGravity, 0.8); }},
     SettingPreset{kEnvironment, "Ice", "Full weight with hardly any friction.",

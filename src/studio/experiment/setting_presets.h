@@ -15,6 +15,7 @@ struct SettingPreset {
     const char* label;
     const char* help;
     void (*apply)(ExperimentSettings& settings, const EvolutionKinds& kinds);
+    bool of_plane = false;  // whether it is the same as another one in three dimensions
 };
 
 // Returns the presets; those of one table are adjacent.

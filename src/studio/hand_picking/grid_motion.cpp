@@ -46,7 +46,7 @@ struct GridMotion::Recorder {
 void GridMotion::show(const std::vector<IndividualPtr>& creatures,
                       const ExpressionSettings& expression, const TrialWorld& world) {
     ++shown_;
-    world_ = world;
+    world_ = with_drawn_ground(world);
     time_ = 0.0;
     cells_.assign(creatures.size(), {});
     for (std::size_t i = 0; i < creatures.size(); ++i) {

@@ -48,6 +48,7 @@ void draw_presets(const std::string& table, const FrameContext& frame, Requests&
         return;
     }
     for (auto preset = presets.begin(); preset != presets.end(); ++preset) {
+        if (preset->of_plane && frame.in_space()) continue;
         if (choice_line(preset->label, preset == shown)) ask_preset(*preset, frame, out);
         note_place(preset->label);
         tooltip(preset->help);

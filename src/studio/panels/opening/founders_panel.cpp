@@ -112,7 +112,10 @@ void FoundersPanel::place_rows(const FounderCrowd& crowd) {
     const Viewport size = canvas_.size();
     const double across = (static_cast<double>(rows_.back().count) + 0.5) * slot_;
     camera.pixels_per_metre = std::clamp(size.width / across, Camera::kMinScale, Camera::kMaxScale);
-    camera.center = follow_center(Vec2::Zero(), ground, camera, size);
+    // Rows of creatures stand on level ground.
+    Environment level = crowd.motion().environment();
+    level.terrain = {};
+    camera.center = follow_center(Vec2::Zero(), level, camera, size);
     const double apart = std::max(kRowShare * size.height * camera.pixel(), kLowestShare * slot_);
     for (std::size_t i = 0; i < row_count; ++i) {
         const auto up = static_cast<double>(i);

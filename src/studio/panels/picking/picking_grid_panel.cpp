@@ -5,6 +5,7 @@
 #include "genome/creature_name.h"
 #include "pictures/scene/follow_camera.h"
 #include "pictures/scene/living_look.h"
+#include "pictures/scene/shaped_ground.h"
 #include "pictures/scene/moment.h"
 #include "pictures/scene/small_life.h"
 #include "pictures/scene/space_moment.h"
@@ -178,7 +179,8 @@ void PickingGridPanel::build_scene(std::size_t cell, const FrameContext& frame) 
     const bool ground = motion.environment().has_ground;
     canvas.camera.pixels_per_metre = scale_;
     canvas.camera.center =
-        follow_center(shown.center_of_mass.head<2>(), ground, canvas.camera, size_);
+        follow_center(shown.center_of_mass.head<2>(), motion.environment(), canvas.camera, size_);
+    use_ground(canvas.frame, motion.environment(), canvas.camera, size_);
     const Individual& creature = *grid_of(frame).creatures[cell];
     Character character = character_of(recorded, ground, motion.time());
     character.line = line_or_hue(creature.line, creature.genome->hue);

@@ -6,6 +6,7 @@
 #include "pictures/scene/field_overlays.h"
 #include "pictures/scene/follow_camera.h"
 #include "pictures/scene/living_look.h"
+#include "pictures/scene/shaped_ground.h"
 #include "pictures/scene/small_life.h"
 #include "pictures/scene/stone_wall.h"
 #include "pictures/scene/worlds.h"
@@ -186,8 +187,8 @@ Vec2 ViewportPanel::follow_target(const FrameContext& frame) const {
         const WorldWindow bounds = shown_bounds(playback);
         center.x() = 0.5 * (bounds.low.x() + bounds.high.x());
     }
-    return follow_center(center, playback.creature().replay().environment().has_ground,
-                         canvas_.camera, canvas_.size());
+    return follow_center(center, playback.creature().replay().environment(), canvas_.camera,
+                         canvas_.size());
 }
 
 void ViewportPanel::fit_now(const FrameContext& frame) {
@@ -316,6 +317,7 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
                             shown_character(frame)};
     const DrawnWorld* world = world_around(frame);
     const double time = look.character.time;
+    use_ground(scene, playback.creature().replay().environment(), canvas_.camera, canvas_.size());
     if (world != nullptr) {
         add_scenery(scene, *world, canvas_.camera, canvas_.size(), time);
         if (frame.view.overlays.ruler)
@@ -379,7 +381,8 @@ void ViewportPanel::draw_marks(const FrameContext& frame) {
     if (world != nullptr && !frame.view.overlays.ruler) return;
     const Camera& camera = canvas_.camera;
     const WorldWindow window = camera.window(canvas_.size());
-    if (window.low.y() > 0.0) return;
+    const GroundShape& ground = canvas_.frame.ground;
+    if (ground.is_flat() && window.low.y() > 0.0) return;
     // Places labels at marks of the ground, far enough apart for their text.
     const double tick = mark_spacing(camera, kTickPixels);
     const double room = kTickPixels * static_cast<double>(ui().scale);
@@ -389,7 +392,7 @@ void ViewportPanel::draw_marks(const FrameContext& frame) {
     const Color color = world != nullptr ? world->words : colors().muted;
     for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
         const std::string label = with_unit(i * spacing, "m");
-        const Vec2 at = camera.to_screen({i * spacing, 0.0}, canvas_.size());
+        const Vec2 at = camera.to_screen({i * spacing, ground.at(i * spacing)}, canvas_.size());
         const float width = ImGui::CalcTextSize(label.c_str()).x;
         const float left = static_cast<float>(at.x()) - 0.5F * width;
         if (left < 0.0F || left + width > canvas_.area.width) continue;

@@ -1,4 +1,4 @@
-#include "evolution/settings/number_rows.h"
+#include "core/text/number_rows.h"
 
 #include "core/text/parsed_number.h"
 
