@@ -9,6 +9,7 @@ let module = null;       // the compiled engine
 let engine, body, file;  // of the creature that is on display
 let checks = '';         // check bytes of its trial's ticks, in hexadecimal
 let place = null, camera = null, scale = 1, turn = 0.6;
+let chosen = 0;          // of the page's creatures
 let before, now, rest = 0, last = 0, paused = false, held = null, pointer = null, marked = 0;
 
 // ---- the creature on display
@@ -345,6 +346,78 @@ function drawCurves() {
   });
 }
 
+// ---- the course of a run
+
+// Round values from low to high, at most six.
+function roundSteps(low, high) {
+  const least = (high - low) / 5 || 1, power = 10 ** Math.floor(Math.log10(least)), step = [1, 2, 5, 10].find(n => n * power >= least) * power, values = [];
+  for (let v = Math.ceil(low / step - 1e-9) * step; v <= high + 1e-9 * step; v += step) values.push(Number(v.toPrecision(6)));
+  return values;
+}
+
+// Draws best and median of every generation, and a dot for each champion of the page.
+function drawCourse() {
+  const { unit, rows } = page.course, plot = $('course-plot'), c = plot.getContext('2d'), ratio = devicePixelRatio || 1;
+  const width = plot.clientWidth, height = plot.clientHeight, style = getComputedStyle(document.documentElement), colour = name => style.getPropertyValue(name);
+  const known = rows.flatMap(row => row.slice(1)).filter(v => v !== null), high = Math.max(...known, 1e-9), low = Math.min(...known, 0), last = Math.max(1, rows[rows.length - 1][0]);
+  const x = generation => 56 + generation / last * (width - 72), y = value => height - 26 - (value - low) / (high - low || 1) * (height - 44);
+  plot.width = Math.round(width * ratio);
+  plot.height = Math.round(height * ratio);
+  c.setTransform(ratio, 0, 0, ratio, 0, 0);
+  c.font = '12px system-ui,sans-serif';
+  c.lineWidth = 1;
+  c.fillStyle = colour('--soft');
+  c.strokeStyle = dark.matches ? 'rgba(255,255,255,0.1)' : 'rgba(0,0,0,0.1)';
+  c.textAlign = 'right';
+  for (const value of roundSteps(low, high)) {
+    c.fillText(value, 48, y(value) + 4);
+    c.beginPath();
+    c.moveTo(56, y(value));
+    c.lineTo(width - 16, y(value));
+    c.stroke();
+  }
+  c.textAlign = 'center';
+  for (const generation of roundSteps(0, last).filter(Number.isInteger)) c.fillText(generation, x(generation), height - 6);
+  c.textAlign = 'left';
+  c.fillText(unit, 4, 11);
+  [[1, '--warm', 2.5, 'best'], [2, '--soft', 1.5, 'median']].forEach(([column, name, thick, words]) => {
+    c.strokeStyle = colour(name);
+    c.lineWidth = thick;
+    c.beginPath();
+    const drawn = rows.filter(row => row[column] !== null);
+    drawn.forEach((row, i) => c[i ? 'lineTo' : 'moveTo'](x(row[0]), y(row[column])));
+    c.stroke();
+    if (!drawn.length) return;
+    c.fillStyle = colour(name);
+    c.textAlign = 'right';
+    c.fillText(words, width - 16, y(drawn[drawn.length - 1][column]) + (column === 1 ? 20 : -7));
+  });
+  const best = generation => rows.reduce((a, b) => Math.abs(b[0] - generation) < Math.abs(a[0] - generation) ? b : a)[1];
+  page.creatures.forEach((made, i) => {
+    made.place = [x(made.generation), y(best(made.generation) ?? low)];
+    c.beginPath();
+    c.arc(...made.place, i === chosen ? 6.5 : 4, 0, 7);
+    c.fillStyle = colour(i === chosen ? '--warm' : '--card');
+    c.strokeStyle = colour('--warm');
+    c.lineWidth = 2;
+    c.fill();
+    c.stroke();
+  });
+}
+
+function showCourse() {
+  const last = page.course.rows[page.course.rows.length - 1], words = `Best and median of each generation. The last, ${last[0]}, has a best of ${Number((last[1] ?? 0).toPrecision(4))} ${page.course.unit}. Press a dot for its champion.`;
+  $('course').hidden = false;
+  $('course-text').textContent = words;
+  $('course-plot').setAttribute('aria-label', words);
+  $('course-plot').onclick = event => {
+    const near = made => Math.hypot(made.place[0] - event.offsetX, made.place[1] - event.offsetY);
+    const nearest = page.creatures.reduce((best, made, i) => near(made) < near(page.creatures[best]) ? i : best, 0);
+    if (near(page.creatures[nearest]) < 40) choose(nearest);
+  };
+  new ResizeObserver(drawCourse).observe($('course-plot'));
+}
+
 // ---- controls
 
 function label() {
@@ -412,7 +485,17 @@ $('save').onclick = () => {
   link.click();
 };
 $('evolve').onclick = () => running.length ? stopEvolution() : startEvolution();
-dark.onchange = () => { place = null; };
+dark.onchange = () => { place = null; if (page.course) drawCourse(); };
+
+function choose(number) {
+  const made = page.creatures[number];
+  chosen = number;
+  [...$('gallery').children].forEach((button, i) => button.setAttribute('aria-pressed', i === number));
+  show($(made.id).textContent, made.recorded);
+  $('facts').textContent = made.facts;
+  if (module) prove();
+  if (page.course) drawCourse();
+}
 
 function fillGallery() {
   const gallery = $('gallery');
@@ -421,12 +504,7 @@ function fillGallery() {
     const button = document.createElement('button');
     button.textContent = made.label;
     button.setAttribute('aria-pressed', i === 0);
-    button.onclick = () => {
-      for (const other of gallery.children) other.setAttribute('aria-pressed', other === button);
-      show($(made.id).textContent, made.recorded);
-      $('facts').textContent = made.facts;
-      if (module) prove();
-    };
+    button.onclick = () => choose(i);
     gallery.append(button);
   });
 }
@@ -457,6 +535,7 @@ function fillGallery() {
     };
   }
   if (page.creatures.length > 1) fillGallery();
+  if (page.course) showCourse();
   if (module && page.evolve) {
     $('evolution').hidden = false;
     for (const [id, words] of Object.entries({ page: page.evolve.label, ...GOALS })) $('goal').add(new Option(words, id));

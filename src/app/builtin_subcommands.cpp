@@ -15,6 +15,8 @@ SubcommandRegistry builtin_subcommands() {
     subcommands.add(export_subcommand());
     subcommands.add(simulate_subcommand());
     subcommands.add(render_subcommand());
+    subcommands.add(film_subcommand());
+    subcommands.add(race_subcommand());
     subcommands.add(page_subcommand());
     subcommands.add(verify_subcommand());
     subcommands.add(rescore_subcommand());

@@ -7,6 +7,7 @@
 #include "app/command_line/priority_option.h"
 #include "app/command_line/window_options.h"
 #include "app/evolve/without_window.h"
+#include "app/page/page_making.h"
 #include "app/process/assets_folder.h"
 #include "app/process/interruption.h"
 #include "app/subcommands/subcommands.h"
@@ -49,6 +50,7 @@ public:
     StudioSubcommand() {
         options_.state_dir = usual_state_dir();
         options_.assets = assets_folder();
+        options_.page_parts = page_parts();
     }
     void add_options(CLI::App& app) override {
         app.add_option("file", options_.open_file,

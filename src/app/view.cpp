@@ -1,6 +1,7 @@
 #include "app/builtin_kinds.h"
 #include "app/command_line/option_types.h"
 #include "app/command_line/window_options.h"
+#include "app/page/page_making.h"
 #include "app/process/interruption.h"
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
@@ -15,6 +16,7 @@ class ViewSubcommand final : public Subcommand {
 public:
     ViewSubcommand() {
         options_.viewer = true;
+        options_.page_parts = page_parts();
         options_.machines.threads.workers = 1;
         options_.drawing.width = 960;
         options_.drawing.height = 640;

@@ -75,33 +75,46 @@ ColorCensus census_of(const ClipFormat& format, const std::function<Image(int)>&
     return census;
 }
 
-Status write_clip(PictureCanvas& canvas, const Subject& subject, const Kinds& kinds,
-                  const ClipOrder& order, const TrialWatch& watch) {
-    auto motion = ReplayedMotion::start(subject.motion().phenotype, kinds,
-                                        first_trial_world(*subject.creature.settings));
-    if (!motion) return motion.error();
+Status write_pictures(PictureCanvas& canvas, const ClipOrder& order, std::uint64_t frames,
+                      const ClipDrawing& draw, const ClipDrawing& sample, const TrialWatch& watch) {
     const ColorCensus census = census_of(*order.format, [&](int i) {
-        const double time = order.timing.seconds * i / (kCountedPictures - 1);
-        draw_frame(canvas, subject, order, moment_of(subject.motion(), time));
+        sample((frames - 1) * static_cast<std::uint64_t>(i) / (kCountedPictures - 1));
         return canvas.finish();
     });
     auto clip = ClipFile::open(*order.format, {.path = order.path,
                                                .width = canvas.width(),
                                                .height = canvas.height(),
                                                .frames_a_second = order.timing.frames_a_second,
-                                               .frames = clip_frames(order.timing),
+                                               .frames = frames,
                                                .colors = &census,
                                                .dithered = order.dithered,
                                                .creature = order.creature});
     if (!clip) return clip.error();
-    for (std::uint64_t frame = 0; frame < clip_frames(order.timing); ++frame) {
+    for (std::uint64_t frame = 0; frame < frames; ++frame) {
         if (watch.stop.stop_requested()) return Error{"interrupted; nothing was written"};
+        draw(frame);
+        if (Status added = (*clip)->add(canvas.finish()); !added) return added;
+        watch.note(static_cast<double>(frame + 1) / order.timing.frames_a_second);
+    }
+    return (*clip)->finish();
+}
+
+Status write_clip(PictureCanvas& canvas, const Subject& subject, const Kinds& kinds,
+                  const ClipOrder& order, const TrialWatch& watch) {
+    auto motion = ReplayedMotion::start(subject.motion().phenotype, kinds,
+                                        first_trial_world(*subject.creature.settings));
+    if (!motion) return motion.error();
+    const std::uint64_t frames = clip_frames(order.timing);
+    const auto draw = [&](std::uint64_t frame) {
         const double time = clip_time(order.timing, frame);
         draw_frame(canvas, subject, order, {time, motion->at(time)});
         watch.note(time);
-        if (Status added = (*clip)->add(canvas.finish()); !added) return added;
-    }
-    return (*clip)->finish();
+    };
+    const auto sample = [&](std::uint64_t frame) {
+        const double time = clip_time(order.timing, frame);
+        draw_frame(canvas, subject, order, moment_of(subject.motion(), time));
+    };
+    return write_pictures(canvas, order, frames, draw, sample, {.stop = watch.stop});
 }
 
 }  // namespace cambrian

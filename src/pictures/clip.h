@@ -44,6 +44,15 @@ struct ClipOrder {
     std::string creature = {};  // the creature file inside, if the format can embed one
 };
 
+// Draws the picture of a clip with that number.
+using ClipDrawing = std::function<void(std::uint64_t frame)>;
+
+// Writes so many pictures. `draw` is called once for each, in order; `sample` draws any picture
+// again, or one like it, so that colours can be counted. Notes the seconds of the clip that are
+// written, and gives up when asked to stop; nothing is left then.
+Status write_pictures(PictureCanvas& canvas, const ClipOrder& order, std::uint64_t frames,
+                      const ClipDrawing& draw, const ClipDrawing& sample, const TrialWatch& watch);
+
 // Draws the trial once more and writes it. Notes the time reached, and gives up when asked to stop;
 // nothing is left then.
 Status write_clip(PictureCanvas& canvas, const Subject& subject, const Kinds& kinds,

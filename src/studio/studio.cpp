@@ -92,6 +92,7 @@ public:
         if (options_.viewer) controller_.window().be_viewer();
         controller_.remember_in(options_.state_dir);
         controller_.use_assets(options_.assets);
+        controller_.files().use_page_parts(options_.page_parts);
         open_first_files(visit.begins);
         if (visit.begins) {
             controller_.feedback().tell(

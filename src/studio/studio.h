@@ -4,6 +4,7 @@
 
 #include "core/result.h"
 #include "evolution/kinds/evolution_kinds.h"
+#include "persist/page/page_file.h"
 #include "pictures/canvas/palette.h"
 #include "studio/host/window.h"
 #include "studio/look/view_state.h"
@@ -27,6 +28,7 @@ struct WindowDrawing {
 struct StudioOptions {
     std::filesystem::path open_file;  // any file that the studio opens; empty for none
     std::filesystem::path assets;     // folder of help pages and samples
+    PageParts page_parts;             // what saved pages are made of
     std::filesystem::path frame_log;  // CSV file of frame times; empty for none
     // File to which events are appended as JSON lines; empty for none.
     std::filesystem::path status_log;

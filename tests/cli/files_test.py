@@ -118,7 +118,8 @@ class Files(ProgramTest):
                 (["rescore", "best.creature.json", "-o", "small.toml"], ".creature.json or .json"),
                 (["settings", "-o", "best.creature.json"], ".toml"),
                 *((command, ending) for command, ending in [
-                    (["render", "best.creature.json", "-o", "small.toml"], ".png, .mp4, .gif or .apng"),
+                    (["render", "best.creature.json", "-o", "small.toml"],
+                     ".png, .mp4, .gif, .apng or .html"),
                     (["view", "best.creature.json", "--screenshot", "small.toml"], ".png"),
                     (["view", "best.creature.json", "--frame-log", "small.toml"], ".csv")]
                   if self.possible([command]))]:

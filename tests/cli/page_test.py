@@ -42,6 +42,38 @@ class Page(ProgramTest):
         for creature in page["creatures"]:
             self.assertEqual(html.count(f'id="{creature["id"]}"'), 1)
         self.assertIn("replay verified", self.run_well("verify", "x.html").stdout)
+        rows = page["course"]["rows"]
+        self.assertEqual([row[0] for row in rows], list(range(15)))
+        told = self.run_well("export", "run.cambrian", "--stats").stdout.splitlines()
+        best = told[0].split(",").index("best")
+        self.assertEqual([row[1] for row in rows],
+                         [float(line.split(",")[best]) for line in told[1:]])
+        self.run_well("render", "run.cambrian", "-o", "y.html")
+        self.assertEqual((self.folder / "y.html").read_text(), html)
+        refused = self.run_program("render", "run.cambrian", "-o", "z.html", "--fps", 20)
+        self.assertEqual(refused.returncode, BAD_INPUT)
+        self.assertFalse((self.folder / "z.html").exists())
+
+    @unittest.skipUnless(shutil.which("chromium"), "needs a browser")
+    def test_a_browser_draws_the_curve_and_shows_the_champion_that_is_pressed(self):
+        self.write("small.toml", SMALL)
+        self.run_well("evolve", "small.toml", "-n", 3, "-o", "run.cambrian")
+        html = self.page("run.cambrian")
+        press = """<script>
+const wait = setInterval(() => {
+  if ($('course').hidden) return;
+  clearInterval(wait);
+  choose(2);
+  document.title = 'pressed ' + $('course-text').textContent;
+}, 20);
+</script>"""
+        self.write("y.html", html.replace("</body>", press + "</body>"))
+        done = subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu",
+                               "--virtual-time-budget=3000", f"--user-data-dir={self.folder}/b",
+                               "--dump-dom", f"file://{self.folder}/y.html"],
+                              capture_output=True, text=True, timeout=300)
+        self.assertRegex(done.stdout, r"<title>pressed Best and median of each generation. The last, 2")
+        self.assertRegex(done.stdout, r'aria-pressed="true">generation 0<')
 
     def test_what_no_page_can_show_is_refused(self):
         for arguments in [["page", "-o", "x.html"], ["page", "missing.json", "-o", "x.html"],

@@ -193,7 +193,7 @@ class Render(ProgramTest):
                                     "expected a creature card")
 
     def test_mistakes_are_told_and_write_nothing(self):
-        self.refuse(WALKER, "-o", "clip.avi", parts=["clip.avi", ".png, .mp4, .gif or .apng"])
+        self.refuse(WALKER, "-o", "clip.avi", parts=["clip.avi", ".png, .mp4, .gif, .apng or .html"])
         self.refuse(WALKER, "-o", "clip.mp4", "--card", parts=["a card is a picture"])
         self.refuse(WALKER, "-o", "a.png", "--fps", "3", parts=["--fps", "are for clips"])
         self.refuse(WALKER, "-o", "a.png", "--animated", parts=["--animated is for cards"])

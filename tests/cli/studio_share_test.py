@@ -49,10 +49,19 @@ class StudioShare(StudioTest):
         self.assert_painted(display.picture("clip-dialog-light.png"))
         self.type_over(str(self.folder / "walker.card.png"))
         display.tool("key", "Return")
+        _, after = self.wait_for("saved", after=after)
+        display.tool("key", "ctrl+s")
+        self.click("Page")
+        self.type_over(str(self.folder / "walker.html"))
+        display.tool("key", "Return")
         self.wait_for("saved", after=after)
         self.quit()
         self.assertEqual(self.clip_facts(self.folder / "walker.card.png"), (600, 800, 60))
-        self.assertIn("replay verified", self.run_well("verify", "walker.card.png").stdout)
+        self.run_well("page", WALKER, "-o", "command.html")
+        self.assertEqual((self.folder / "walker.html").read_bytes(),
+                         (self.folder / "command.html").read_bytes())
+        for file in ("walker.card.png", "walker.html"):
+            self.assertIn("replay verified", self.run_well("verify", file).stdout)
 
     def test_a_clip_can_be_stopped_and_leaves_nothing(self):
         display = self.start_with_walker()

@@ -11,12 +11,12 @@ using namespace cambrian::test;
 namespace {
 
 PageParts without_engine() {
-    return {.folder = CAMBRIAN_SOURCE_DIR "/assets/page", .engine = {}, .licences = {}};
+    return {
+        .version = "1", .folder = CAMBRIAN_SOURCE_DIR "/assets/page", .engine = {}, .licences = {}};
 }
 
 std::string page_of(const CreatureDocument& document) {
     const PageContent content{.title = "<b>\"Walker\" & co.</b>",
-                              .version = "1",
                               .creatures = {{.document = document, .label = "one"}}};
     return make_page(content, without_engine(), kinds()).value();
 }

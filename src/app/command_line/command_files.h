@@ -25,7 +25,9 @@ inline const OutputForm kTable{"a table", {".csv"}};
 inline const OutputForm kSettings{"a settings file", {".toml"}};
 inline const OutputForm kPage{"a page", {".html"}};
 inline const OutputForm kPicture{"a picture", {".png"}};
-inline const OutputForm kDrawing{"a picture or a clip", {".png", ".mp4", ".gif", ".apng"}};
+inline const OutputForm kClip{"a clip", {".mp4", ".gif", ".apng"}};
+inline const OutputForm kDrawing{"a picture, a clip or a page",
+                                 {".png", ".mp4", ".gif", ".apng", ".html"}};
 }  // namespace output_form
 
 // Fails unless the name has an ending of the form. Folders and streams, such as /dev/stdout, may

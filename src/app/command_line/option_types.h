@@ -17,6 +17,7 @@ inline constexpr const char* kAnyOfOurs =
 inline constexpr const char* kTable = "FILE.csv";
 inline constexpr const char* kPage = "FILE.html";
 inline constexpr const char* kPicture = "FILE.png";
-inline constexpr const char* kDrawing = "FILE.png|FILE.mp4|FILE.gif|FILE.apng";
+inline constexpr const char* kClip = "FILE.mp4|FILE.gif|FILE.apng";
+inline constexpr const char* kDrawing = "FILE.png|FILE.mp4|FILE.gif|FILE.apng|FILE.html";
 
 }  // namespace cambrian::option_type

@@ -1,52 +1,26 @@
 #include "app/command_line/number_checks.h"
 #include "app/command_line/option_types.h"
 #include "app/command_line/output_path.h"
-#include "app/process/assets_folder.h"
+#include "app/page/page_making.h"
 #include "app/process/long_work.h"
 #include "app/process/messages.h"
 #include "app/subcommands/subcommands.h"
-#include "core/files/file_io.h"
 #include "core/threads/thread_pool.h"
 #include "evolution/backends/thread_pool_backend.h"
 #include "evolution/evolution.h"
 #include "evolution/individual/population_digest.h"
-#include "genome/creature_name.h"
-#include "persist/experiment/experiment_parts.h"
-#include "persist/page/page_file.h"
 #include "persist/settings/settings_file.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <set>
+#include <optional>
+#include <string>
 
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kMostChampions = 12;  // on a page of a run
-constexpr int kCheckedGenerations = 3;      // whose digests a page of an evolution has
-
-// The installed engine lies beside the scripts, that of a build in the build's folder.
-PageParts page_parts() {
-    PageParts parts;
-    parts.folder = assets_folder() / "page";
-    const std::filesystem::path built = CAMBRIAN_ENGINE_FOLDER;
-    std::error_code failure;
-    const bool installed = std::filesystem::exists(parts.folder / "cambrian.wasm", failure);
-    const std::filesystem::path& folder = installed ? parts.folder : built;
-    parts.engine = folder / "cambrian.wasm";
-    parts.licences = folder / "licences.txt";
-    return parts;
-}
-
-// Generations spread over a run, the last one first.
-std::vector<std::uint32_t> chosen_generations(std::uint32_t last) {
-    std::set<std::uint32_t> chosen;
-    for (std::size_t i = 0; i < kMostChampions; ++i)
-        chosen.insert(static_cast<std::uint32_t>(last * i / (kMostChampions - 1)));
-    return {chosen.rbegin(), chosen.rend()};
-}
+constexpr int kCheckedGenerations = 3;  // whose digests a page of an evolution has
 
 class PageSubcommand final : public Subcommand {
 public:
@@ -73,62 +47,23 @@ public:
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (creature_.empty() && settings_.empty())
             return fail({"expected a creature, an experiment or --evolve SETTINGS.toml"});
+        if (settings_.empty()) return make_page_of(creature_, out_, files(), kinds);
         const auto path = output_path(out_, "", files());
         if (!path) return fail(path.error());
         LongWork work;
-        const Result<PageContent> content = content_of_page(kinds, work);
+        const Result<PageContent> content = with_evolution(kinds, work);
         if (!content) return fail(content.error());
-        const PageParts parts = page_parts();
-        const Result<std::string> page = make_page(*content, parts, kinds);
-        if (!page) return fail(page.error(), ExitStatus::kFailed);
-        const Status written = write_file(*path, *page);
-        if (!written) return fail(written.error(), ExitStatus::kFailed);
-        if (!std::filesystem::exists(parts.engine))
-            say("no engine is built, so the page plays recorded motions only; `sh "
-                "third_party/bootstrap.sh engine` builds it");
-        return print_result_line(fmt::format("{}: {} kB", path->string(), page->size() / 1000));
+        return write_page(*content, *path, kinds);
     }
 
 private:
-    Result<PageContent> content_of_page(const EvolutionKinds& kinds, LongWork& work) const {
-        PageContent content{.title = {}, .version = CAMBRIAN_VERSION, .creatures = {}};
-        if (!settings_.empty()) return with_evolution(std::move(content), kinds, work);
-        if (is_experiment_name(creature_)) return with_champions(std::move(content), kinds, work);
-        Result<CreatureDocument> document = load_creature(creature_, kinds);
-        if (!document) return document.error();
-        say_of(creature_, document->warnings);
-        content.title = creature_name(document->genome());
-        content.creatures.push_back({.document = std::move(*document), .label = content.title});
-        return content;
-    }
-
-    Result<PageContent> with_champions(PageContent content, const EvolutionKinds& kinds,
-                                       LongWork& work) const {
-        const auto history = load_history(creature_);
-        if (!history) return history.error();
-        content.title = "Champions of " + std::filesystem::path(creature_).stem().string();
-        const auto generations = chosen_generations(history->back().generation);
-        work.begin("computing champions", static_cast<double>(generations.size()), "creatures");
-        for (const std::uint32_t generation : generations) {
-            const Result<KeptChampion> kept = load_champion(creature_, generation, kinds);
-            if (!kept) return kept.error();
-            PageCreature shown{.document = creature_document(kept->creature, kinds),
-                               .label = fmt::format("generation {}", generation)};
-            shown.document.notes.simulator = kept->simulator;
-            complete_score(shown.document, kinds, work.stop());
-            if (work.interrupted()) return Error{"interrupted; nothing was written"};
-            content.creatures.push_back(std::move(shown));
-        }
-        return content;
-    }
-
     // The digests of the first generations let the page prove that it evolves what the program
     // does.
-    Result<PageContent> with_evolution(PageContent content, const EvolutionKinds& kinds,
-                                       LongWork& work) const {
+    Result<PageContent> with_evolution(const EvolutionKinds& kinds, LongWork& work) const {
         Result<ExperimentSettings> settings = load_settings(settings_, kinds);
         if (!settings) return settings.error();
         if (seed_) settings->seed = *seed_;
+        PageContent content;
         content.title = fmt::format("Evolve {}", settings->goal);
         PageEvolution offered{.settings = *settings, .digests = {}};
         const auto backend = make_thread_pool_backend(kinds, ThreadPool::default_workers());

@@ -31,6 +31,20 @@ SubcommandKind render_subcommand() {
             .make = make_missing};
 }
 
+SubcommandKind film_subcommand() {
+    return {.id = "film",
+            .summary = "Make a film of a run; this program was built without it.",
+            .example = "cambrian film walking-seed1.cambrian -o film.mp4",
+            .make = make_missing};
+}
+
+SubcommandKind race_subcommand() {
+    return {.id = "race",
+            .summary = "Make a clip of a race; this program was built without it.",
+            .example = "cambrian race a.creature.json b.creature.json -o race.mp4",
+            .make = make_missing};
+}
+
 SubcommandKind view_subcommand() {
     return {.id = "view",
             .summary = "Watch one creature; this program was built without it.",

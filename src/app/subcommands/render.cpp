@@ -1,6 +1,8 @@
 #include "app/command_line/number_checks.h"
 #include "app/command_line/option_types.h"
 #include "app/command_line/output_path.h"
+#include "app/command_line/picture_size.h"
+#include "app/page/page_making.h"
 #include "app/preserve/preserve_drawing.h"
 #include "app/process/long_work.h"
 #include "app/process/messages.h"
@@ -9,7 +11,6 @@
 #include "app/trial/score_notice.h"
 #include "core/files/file_io.h"
 #include "core/text/number_text.h"
-#include "core/text/parsed_number.h"
 #include "core/text/pretty_text.h"
 #include "persist/creature/creature_card.h"
 #include "persist/creature/png_file.h"
@@ -27,15 +28,8 @@
 namespace cambrian {
 namespace {
 
-constexpr int kLeastSide = 64;  // pixels
-constexpr int kMostSide = 4096;
 constexpr int kUsualPoses = 12;
 constexpr double kMostPreserveSeconds = 1e8;
-
-struct Size {
-    int width = 0;
-    int height = 0;
-};
 
 struct RenderOptions {
     std::string creature;
@@ -54,6 +48,15 @@ struct RenderOptions {
     bool dithered = false;
 };
 
+// Returns whether an option is given that only pictures and clips have.
+bool has_options_of_drawings(const RenderOptions& options) {
+    const bool counted = options.poses || options.frames_a_second || options.speed ||
+                         options.seconds || options.from || options.to;
+    const bool flagged = options.card || options.animated || options.dithered;
+    return counted || flagged || !options.environment.empty() || !options.size.empty() ||
+           options.theme != "dark";
+}
+
 enum class ProductKind : unsigned char { kSheet, kCard, kClip };
 
 struct Product {
@@ -63,24 +66,6 @@ struct Product {
     bool is_card() const { return kind == ProductKind::kCard; }
 };
 
-// Parses "1280x720"; returns nothing for other text and for sizes that cannot be drawn.
-std::optional<Size> parse_size(const std::string& text) {
-    const std::string_view both = text;
-    const std::size_t cross = std::min(both.find('x'), both.size());
-    const auto width = parsed_number<int>(both.substr(0, cross));
-    const auto height = parsed_number<int>(both.substr(std::min(cross + 1, both.size())));
-    const auto possible = [](int side) { return side >= kLeastSide && side <= kMostSide; };
-    if (!width || !height || !possible(*width) || !possible(*height)) return std::nullopt;
-    return Size{*width, *height};
-}
-
-std::string check_size(const std::string& text) {
-    if (parse_size(text)) return "";
-    return fmt::format(
-        "'{}' is not a size; expected WIDTHxHEIGHT in pixels, each {} to {}, as 1280x720", text,
-        kLeastSide, kMostSide);
-}
-
 Result<Product> product_of(const RenderOptions& options) {
     const std::filesystem::path out = options.out;
     if (const ClipFormat* format = clip_format_of(out)) {
@@ -89,14 +74,15 @@ Result<Product> product_of(const RenderOptions& options) {
         return Product{ProductKind::kClip, format};
     }
     if (out.extension() != ".png")
-        return Error{options.out + ": expected a name that ends in .png, .mp4, .gif or .apng"};
+        return Error{options.out +
+                     ": expected a name that ends in .png, .mp4, .gif, .apng or .html"};
     if (options.card || options.out.ends_with(kCardEnding))
         return Product{ProductKind::kCard, options.animated ? &card_format() : nullptr};
     if (options.animated) return Error{options.out + ": --animated is for cards (*.card.png)"};
     return Product{};
 }
 
-Size usual_size(const Product& product) {
+PictureSides usual_size(const Product& product) {
     if (product.kind == ProductKind::kSheet) return {1600, 900};
     if (product.kind == ProductKind::kClip)
         return {product.format->usual_width, product.format->usual_height};
@@ -120,7 +106,7 @@ Status check_options(const RenderOptions& options, const Product& product) {
         return Error{options.out +
                      ": --dither is for clips of few colors (*.gif, *.apng) and cards "
                      "with --animated"};
-    const Size size = parse_size(options.size).value_or(usual_size(product));
+    const PictureSides size = parse_picture_size(options.size).value_or(usual_size(product));
     if (product.format != nullptr) {
         const double rate = options.frames_a_second.value_or(usual_rate(product));
         Status possible = check_clip(*product.format, options.out, size.width, size.height, rate);
@@ -151,14 +137,15 @@ class RenderSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
         app.add_option("creature", options_.creature,
-                       "Creature file (*.creature.json), card (*.card.png) or preserve file "
-                       "(*.cambrian)")
+                       "Creature file (*.creature.json), card (*.card.png), preserve file "
+                       "(*.cambrian) or, for a page, experiment file (*.cambrian)")
             ->type_name(option_type::kCreatureOrExperiment)
             ->required();
         app.add_option("-o,--out", options_.out,
                        "File to write: a sheet of poses or a picture of a preserve (*.png), a clip "
-                       "(*.gif; *.mp4, which needs ffmpeg; *.apng, which contains the creature) or "
-                       "a card that contains the creature (*.card.png)")
+                       "(*.gif; *.mp4, which needs ffmpeg; *.apng, which contains the creature), "
+                       "a card that contains the creature (*.card.png) or a page (*.html), as "
+                       "`cambrian page` makes it")
             ->type_name(option_type::kDrawing)
             ->required();
         app.add_flag("--card", options_.card,
@@ -171,7 +158,7 @@ public:
                        "an MP4, 640x360 for other clips, 960x1280 for a card and 600x800 for one "
                        "that moves by default")
             ->type_name("WIDTHxHEIGHT")
-            ->check(check_size);
+            ->check(check_picture_size);
         app.add_option("--theme", options_.theme, "Theme of the colors")
             ->check(CLI::IsMember({"dark", "light"}))
             ->capture_default_str();
@@ -213,6 +200,7 @@ public:
     }
     bool works_in_space() const override { return true; }
     ExitStatus run(const EvolutionKinds& kinds) override {
+        if (is_page_name(options_.out)) return render_page(kinds);
         const Result<Product> product = product_of(options_);
         if (!product) return fail(product.error());
         if (const Status usable = check_options(options_, *product); !usable)
@@ -241,12 +229,18 @@ public:
     }
 
 private:
+    ExitStatus render_page(const EvolutionKinds& kinds) {
+        if (has_options_of_drawings(options_))
+            return fail({options_.out + ": a page (*.html) takes no other options"});
+        return make_page_of(options_.creature, options_.out, files(), kinds);
+    }
+
     ExitStatus render_preserve(const Product& product, const EvolutionKinds& kinds) {
         if (const Status usable = check_preserve_options(options_, product); !usable)
             return fail(usable.error());
         const auto path = output_path(options_.out, "", files());
         if (!path) return fail(path.error());
-        const Size size = size_of(product);
+        const PictureSides size = size_of(product);
         const ClipTiming usual;
         LongWork work;
         const Status drawn = draw_preserve(
@@ -267,8 +261,8 @@ private:
                     work.interrupted() ? ExitStatus::kFailed : ExitStatus::kBadInput);
     }
 
-    Size size_of(const Product& product) const {
-        return parse_size(options_.size).value_or(usual_size(product));
+    PictureSides size_of(const Product& product) const {
+        return parse_picture_size(options_.size).value_or(usual_size(product));
     }
     Palette palette() const {
         return palette_of(options_.theme == "light" ? ThemeKind::kLight : ThemeKind::kDark);
@@ -282,7 +276,7 @@ private:
 
     Status make(const Product& product, const Subject& subject, const Kinds& kinds,
                 const std::string& text, const std::filesystem::path& path, LongWork& work) const {
-        const Size size = size_of(product);
+        const PictureSides size = size_of(product);
         const auto workshop = open_workshop(size.width, size.height);
         if (!workshop) return workshop.error();
         PictureCanvas& canvas = *(*workshop)->canvas;

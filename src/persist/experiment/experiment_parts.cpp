@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -29,6 +30,15 @@ Result<std::vector<GenerationStatistics>> load_history(const std::filesystem::pa
         if (history.empty()) return Error{path.string() + ": no generation has been finished yet"};
         return history;
     });
+}
+
+std::vector<std::uint32_t> spread_generations(std::uint32_t last, std::size_t most) {
+    std::vector<std::uint32_t> spread;
+    for (std::size_t i = 0; i < most; ++i) {
+        const auto next = static_cast<std::uint32_t>(last * i / std::max<std::size_t>(1, most - 1));
+        if (spread.empty() || next > spread.back()) spread.push_back(next);
+    }
+    return spread;
 }
 
 Result<KeptChampion> load_champion(const std::filesystem::path& path,

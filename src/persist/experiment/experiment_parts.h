@@ -22,6 +22,9 @@ Result<SettingsPtr> load_last_settings(const std::filesystem::path& path,
 // Returns the statistics of every finished generation; fails if there is none.
 Result<std::vector<GenerationStatistics>> load_history(const std::filesystem::path& path);
 
+// Returns at most `most` generations from the first to the last one, evenly spread, in order.
+std::vector<std::uint32_t> spread_generations(std::uint32_t last, std::size_t most);
+
 struct KeptChampion {
     JudgedIndividual creature;
     std::string simulator;  // version of the simulator that gave its score

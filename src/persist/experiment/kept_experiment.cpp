@@ -113,6 +113,11 @@ Status KeptExperiment::move_to(const std::filesystem::path& path) {
     return file_->move_to(path);
 }
 
+std::filesystem::path KeptExperiment::path() const {
+    const std::lock_guard guard(mutex_);
+    return file_ ? file_->path() : std::filesystem::path();
+}
+
 Status KeptExperiment::keep_picking(const PickingRecord& picking) {
     const std::lock_guard guard(mutex_);
     if (!file_) {

@@ -34,6 +34,8 @@ public:
     bool took_autosave() const { return took_autosave_; }
     // The following may be called on any thread.
     Status move_to(const std::filesystem::path& path);
+    // The file that has the run now; empty if it has no name.
+    std::filesystem::path path() const;
     Status keep_picking(const PickingRecord& picking);
     Status keep_stars(const std::vector<JudgedIndividual>& stars);
 

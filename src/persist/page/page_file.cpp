@@ -13,6 +13,7 @@
 #include "persist/text/digest_text.h"
 #include "persist/text/quoted_text.h"
 #include "persist/text/setting_value.h"
+#include "persist/text/web_text.h"
 
 #include <fmt/core.h>
 
@@ -29,44 +30,7 @@ constexpr std::uint64_t kTicksAFrame = 3;     // of a recorded motion
 constexpr std::uint64_t kMostTicks = 7'200;   // that are recorded
 constexpr double kRecordedRange = 32'000.0;   // of the numbers of a recorded motion
 constexpr double kTravelled = 0.3;            // m; creatures that move less have no direction
-
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view kDigits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t three = 0;
-        for (std::size_t j = 0; j < 3; ++j)
-            three =
-                three << 8 | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0U);
-        for (std::size_t j = 0; j < 4; ++j)
-            text += i + j > bytes.size() ? '=' : kDigits[three >> (18 - 6 * j) & 63U];
-    }
-    return text;
-}
-
-// Replaces what would end or begin an element of a document.
-std::string escaped(std::string_view text, const std::map<char, std::string_view>& escapes) {
-    std::string result;
-    for (const char c : text) {
-        const auto escape = escapes.find(c);
-        if (escape == escapes.end())
-            result += c;
-        else
-            result += escape->second;
-    }
-    return result;
-}
-
-std::string html_text(std::string_view text) {
-    return escaped(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
-}
-
-// JSON inside a script element. Only texts of JSON can have the character.
-std::string script_json(std::string_view json) {
-    return escaped(json, {{'<', "\\u003c"}});
-}
+constexpr std::size_t kMostCourse = 400;      // generations of a course that are drawn
 
 // The motion of a trial at 20 Hz: places and attitudes of all parts.
 struct Recording {
@@ -155,10 +119,12 @@ Result<PlacedCreature> place(const PageCreature& creature, std::size_t number,
          {"way", way_of(recording->travelled, document.settings().world.environment.has_ground)},
          {"told", described_creature(document, *phenotype, kinds)},
          {"data", quoted_text(base64(little_endian(*recording, unit)))}});
-    placed.entry = json_object({{"id", quoted_text(placed.id)},
-                                {"label", quoted_text(creature.label)},
-                                {"facts", quoted_text(placed.facts)},
-                                {"recorded", recorded}});
+    placed.entry = json_object(
+        {{"id", quoted_text(placed.id)},
+         {"label", quoted_text(creature.label)},
+         {"generation", creature.generation ? std::to_string(*creature.generation) : "null"},
+         {"facts", quoted_text(placed.facts)},
+         {"recorded", recorded}});
     return placed;
 }
 
@@ -185,6 +151,23 @@ std::string evolution_entry(const PageEvolution& evolution, const EvolutionKinds
                         {"seed", std::to_string(settings.seed)},
                         {"size", std::to_string(settings.population.size)},
                         {"digests", json_list(digests)}});
+}
+
+std::string finite_number(double value) {
+    return std::isfinite(value) ? real_text(value) : "null";
+}
+
+// The last generation is among those drawn.
+std::string course_entry(const PageCourse& course) {
+    const std::size_t count = course.history.size();
+    const std::size_t step = std::max<std::size_t>(1, (count + kMostCourse - 1) / kMostCourse);
+    std::vector<std::string> rows;
+    for (std::size_t i = count == 0 ? 0 : (count - 1) % step; i < count; i += step) {
+        const GenerationStatistics& row = course.history[i];
+        rows.push_back(json_list(
+            {std::to_string(row.generation), finite_number(row.best), finite_number(row.median)}));
+    }
+    return json_object({{"unit", quoted_text(course.unit)}, {"rows", json_list(rows)}});
 }
 
 // Fills the places {{name}} of a template.
@@ -243,9 +226,10 @@ Result<std::string> make_page(const PageContent& content, const PageParts& parts
     texts["creatures"];
     texts["facts"];
     texts["title"] = html_text(content.title);
-    texts["version"] = html_text(content.version);
+    texts["version"] = html_text(parts.version);
     texts["page"] = script_json(json_object(
         {{"creatures", json_list(entries)},
+         {"course", content.course ? course_entry(*content.course) : "null"},
          {"evolve", content.evolution ? evolution_entry(*content.evolution, kinds) : "null"}}));
     return filled(*form, texts);
 }

@@ -204,8 +204,9 @@ void add_moment(PictureCanvas& canvas, const Area& area, const Subject& subject,
     Camera camera;
     camera.pixels_per_metre = style.pixels_per_metre;
     const Environment& environment = subject.environment();
-    camera.center =
-        follow_center(middle_of(subject.motion(), moment.frame), environment, camera, viewport);
+    Vec2 followed = middle_of(subject.motion(), moment.frame);
+    if (style.along) followed.x() = *style.along;
+    camera.center = follow_center(followed, environment, camera, viewport);
     const SceneFrame scene = scene_of(subject, moment, camera, viewport, style);
     canvas.add_scene(scene, camera, area);
     if (environment.has_ground && style.world == nullptr)

@@ -8,6 +8,7 @@
 #include "pictures/scene/worlds.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace cambrian {
@@ -19,6 +20,9 @@ struct MomentStyle {
     std::size_t trail = 60;    // points of the trail
     LookMode look = LookMode::kLife;
     const DrawnWorld* world = nullptr;  // its scenery; null: none, on the palette's sky
+    // Place along x, in m, at which the camera looks from the side; by default it follows the
+    // creature.
+    std::optional<double> along = {};
 };
 
 // Returns what a motion tells of the creature at a time, but not its line.

@@ -56,8 +56,9 @@ double widest_body(const RecordedMotion& motion) {
 SpaceFrame space_frame(const SpaceInstant& instant) {
     const RecordedMotion& motion = instant.motion;
     SpaceFrame frame;
-    frame.camera.look_from(kYaw, kPitch);
+    frame.camera.look_from(instant.along ? 0.0 : kYaw, kPitch);
     frame.camera.target = instant.shown.center_of_mass;
+    if (instant.along) frame.camera.target.x() = *instant.along;
     frame.camera.pixels_per_metre = instant.pixels_per_metre;
     frame.camera.width = instant.size.width;
     frame.camera.height = instant.size.height;
@@ -108,7 +109,8 @@ void add_space_moment(PictureCanvas& canvas, const Area& area, const Subject& su
                      .trail = style.trail,
                      .trail_color = style.palette.accent,
                      .trail_dot = kTrailSize * style.label_size / 13.0,
-                     .samples = 2}));
+                     .samples = 2,
+                     .along = style.along}));
     canvas.add_scene(std::move(frame), flat_camera(area), area);
 }
 

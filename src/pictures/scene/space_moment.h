@@ -22,6 +22,7 @@ struct SpaceInstant {
     Color trail_color = {};
     double trail_dot = 2.4;  // pixels
     int samples = 1;
+    std::optional<double> along = {};  // m; see MomentStyle
 };
 // Returns the frame of a camera that follows the creature from the side and above.
 SpaceFrame space_frame(const SpaceInstant& instant);

@@ -15,6 +15,9 @@ bool has_preserve(const FrameContext& frame) {
 bool has_creature(const FrameContext& frame) {
     return !frame.viewer.playback.empty();
 }
+bool has_runners(const FrameContext& frame) {
+    return frame.generations.stars.all().size() >= 2;
+}
 void take_screenshot(const FrameContext&, Requests& out) {
     out.ask(SaveScreenshot{});
 }
@@ -33,6 +36,9 @@ std::vector<Action> file_actions() {
         {"close-preserve", "Ctrl+W", "Close preserve", asks<ClosePreserve{}>, has_preserve},
         {"save-experiment", "Ctrl+K", "Save experiment…", asks<OpenFilePanel{kSaveExperiment}>},
         {"save-clip", "Ctrl+Shift+R", "Save clip…", asks<OpenFilePanel{kSaveClip}>, has_creature, {}, "The creature on display in motion: a GIF, an MP4, or a card that moves.", true},
+        {"save-run-page", "", "Save page of this run…", asks<OpenFilePanel{kSaveRunPage}>, has_generations, {}, "Its champions and their course, for any browser."},
+        {"save-film", "", "Save film of this run…", asks<OpenFilePanel{kSaveFilm}>, has_generations, {}, "Its champions one after the other: a GIF or an MP4."},
+        {"save-race", "", "Save race of the starred…", asks<OpenFilePanel{kSaveRace}>, has_runners, {}, "Two to six creatures in lanes, in the world of the one on display."},
         {"save-settings", "Ctrl+Shift+S", "Save settings…", asks<OpenFilePanel{kSaveSettings}>},
         {"export-statistics", "Ctrl+E", "Export statistics as CSV…", asks<OpenFilePanel{kSaveStatistics}>, has_generations},
         {"export-plot", "Ctrl+Shift+E", "Export plot as PNG, 1280 × 720…", asks<OpenFilePanel{kSavePlot}>, has_generations},

@@ -1,17 +1,11 @@
 #pragma once
 
-// Writes clips on a thread of its own, one after the other, so that other files do not wait.
+// Clips of a creature's trial, as the window offers and writes them.
 
 #include "pictures/clip.h"
-#include "pictures/clips/seen_clip.h"
-#include "studio/background/background_worker.h"
 #include "studio/files/creature_exhibit.h"
 
-#include <atomic>
-#include <deque>
 #include <filesystem>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,47 +48,7 @@ struct TrialClip {
     std::optional<std::uint32_t> generation = {};  // of its birth, which cards tell
 };
 
-// The clip that is being written.
-struct ClipProgress {
-    std::string name;    // of its file
-    double share = 0.0;  // of it that is drawn, 0 to 1
-    bool stopping = false;
-};
-
-struct FinishedClip {
-    std::filesystem::path path;
-    Status status;
-    bool stopped = false;  // by the user
-};
-
-class ClipMaker {
-public:
-    // `kinds` must outlive the object.
-    explicit ClipMaker(const EvolutionKinds& kinds) : kinds_(kinds) {}
-
-    void make(TrialClip clip);
-    void make(const std::filesystem::path& path, const ClipFormat& format, SeenClip seen);
-    // Gives up the clip that is being written.
-    void stop();
-    // Returns what is being written; no name if nothing is.
-    ClipProgress progress() const;
-    // Must be called once a frame; returns the clips that are finished, each once.
-    std::vector<FinishedClip> take_finished();
-
-private:
-    struct Making {
-        std::filesystem::path path;
-        double length = 0.0;  // s
-        std::atomic<double> time = 0.0;
-        std::stop_source stop;
-    };
-    void submit(const std::filesystem::path& path, double length,
-                std::function<Status(const TrialWatch&)> work);
-
-    const EvolutionKinds& kinds_;
-    std::deque<std::shared_ptr<Making>> making_;  // the one being written first
-    std::vector<FinishedClip> finished_;
-    BackgroundWorker worker_;  // last member, so that it ends before the others
-};
+// Draws and writes a clip; leaves nothing if it is stopped.
+Status write_trial_clip(TrialClip& clip, const EvolutionKinds& kinds, const TrialWatch& watch);
 
 }  // namespace cambrian

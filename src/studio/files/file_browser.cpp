@@ -1,6 +1,7 @@
 #include "studio/files/file_browser.h"
 
 #include "persist/creature/creature_card.h"
+#include "persist/creature/page_document.h"
 #include "studio/files/clip_maker.h"
 
 #include <fmt/core.h>
@@ -14,12 +15,13 @@ namespace {
 
 bool suits(std::string_view name, FileTask task) {
     if (name.ends_with(ending_of(task))) return true;
-    if (task == FileTask::kSaveCreature) return name.ends_with(kCardEnding);
-    if (task == FileTask::kSaveClip) return is_clip_name(name);
+    if (task == FileTask::kSaveCreature)
+        return name.ends_with(kCardEnding) || name.ends_with(kPageEnding);
+    if (is_of_clips(task)) return is_clip_name(name);
     // Cards may have lost the first part of their double ending when they were sent.
     return task == FileTask::kOpen &&
            (name.ends_with(".toml") || name.ends_with(".png") || name.ends_with(".apng") ||
-            name.ends_with(".html") || name.ends_with(ending_of(FileTask::kSaveExperiment)));
+            name.ends_with(kPageEnding) || name.ends_with(ending_of(FileTask::kSaveExperiment)));
 }
 
 }  // namespace
@@ -30,6 +32,8 @@ std::string_view ending_of(FileTask task) {
         case FileTask::kSaveCreature:
             break;
         case FileTask::kSaveClip:
+        case FileTask::kSaveFilm:
+        case FileTask::kSaveRace:
             return ".gif";
         case FileTask::kSaveExperiment:
         case FileTask::kSavePreserve:
@@ -40,6 +44,8 @@ std::string_view ending_of(FileTask task) {
             return ".csv";
         case FileTask::kSavePlot:
             return ".png";
+        case FileTask::kSaveRunPage:
+            return kPageEnding;
     }
     return kCreatureEnding;
 }

@@ -18,7 +18,10 @@ enum class FileTask : std::uint8_t {
     kSavePreserve,
     kSaveSettings,
     kSaveStatistics,
-    kSavePlot
+    kSavePlot,
+    kSaveRunPage,
+    kSaveFilm,
+    kSaveRace
 };
 // A picture's size in pixels.
 struct PictureSize {
@@ -42,6 +45,12 @@ struct FileBrowser {
     PictureSize picture;             // size of the plot's picture to save
     unsigned opened = 0;  // number of openings so far; the panel clears its fields when it changes
 };
+
+// Returns whether a task saves moving pictures.
+inline bool is_of_clips(FileTask task) {
+    return task == FileTask::kSaveClip || task == FileTask::kSaveFilm ||
+           task == FileTask::kSaveRace;
+}
 
 // Returns the file name ending for a task; for kOpen, that of creature files.
 std::string_view ending_of(FileTask task);

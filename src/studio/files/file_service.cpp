@@ -74,6 +74,10 @@ bool is_card_name(const std::filesystem::path& path) {
     return path.extension() == ".png";
 }
 
+bool is_page_path(const std::filesystem::path& path) {
+    return path.extension() == kPageEnding;
+}
+
 FileEvent load_file(const std::filesystem::path& path, const EvolutionKinds& kinds,
                     const EvolutionKinds* elsewhere) {
     const bool abroad =

@@ -116,6 +116,8 @@ private:
 
 // Returns whether a creature saved under this name becomes a card.
 bool is_card_name(const std::filesystem::path& path);
+// Returns whether it becomes a page.
+bool is_page_path(const std::filesystem::path& path);
 
 // Loads a file and returns its event. The call blocks. A file that is not of the world of `kinds`
 // but can be read with those elsewhere, if there are any, is FileElsewhere.

@@ -4,6 +4,7 @@
 
 #include "studio/files/clip_maker.h"
 #include "studio/files/file_browser.h"
+#include "studio/files/long_files.h"
 #include "studio/files/recent_runs.h"
 #include "studio/files/sample_library.h"
 
@@ -63,8 +64,22 @@ struct SaveClip {
 };
 // Saves what was seen in the last seconds, under a new name in the user's folder of pictures.
 struct SaveSeen {};
-// Gives up the clip that is being written.
-struct StopClip {};
+// Saves a page of the present run's champions.
+struct SaveRunPage {
+    std::filesystem::path path;
+};
+// Saves a film of the present run's champions; the choice's seconds are those of each.
+struct SaveFilm {
+    std::filesystem::path path;
+    ClipChoice choice;
+};
+// Saves a race of the starred creatures.
+struct SaveRace {
+    std::filesystem::path path;
+    ClipChoice choice;
+};
+// Gives up the clip or page that is being written.
+struct StopFile {};
 // Puts the picture of the viewport on the clipboard.
 struct CopyPicture {};
 struct ToggleSamples {};
@@ -88,14 +103,14 @@ using FilesRequest =
     std::variant<OpenFilePanel, CloseFilePanel, ListFolder, LoadFile, SaveCreatureFile, SaveCell,
                  SaveResident, SavePiece, SavePreserveFile, SaveExperimentFile, OpenPreviousRun,
                  SaveSettingsFile, SaveStatisticsFile, SavePlotPicture, SaveScreenshot, SaveClip,
-                 SaveSeen, StopClip, CopyPicture, ToggleSamples, WatchSample, ToggleStartPage,
-                 OpenRun, ForgetRun, BeginElsewhere>;
+                 SaveSeen, SaveRunPage, SaveFilm, SaveRace, StopFile, CopyPicture, ToggleSamples,
+                 WatchSample, ToggleStartPage, OpenRun, ForgetRun, BeginElsewhere>;
 
 struct FilesView {
     const FileBrowser& browser;
     const SampleLibrary* samples = nullptr;
     const StartPage* start = nullptr;
-    ClipProgress clip = {};  // without a name if none is being written
+    FileProgress writing = {};  // of a clip or page; without a name if none is being written
 };
 
 }  // namespace cambrian

@@ -1,38 +1,23 @@
 #include "studio/files/files_controller.h"
 
 #include "core/text/counted.h"
-#include "core/text/pretty_text.h"
 #include "evolution/evaluation/trials.h"
-#include "persist/creature/creature_card.h"
 #include "persist/experiment/file_dimensions.h"
+#include "persist/page/run_page.h"
+#include "pictures/film.h"
+#include "pictures/race.h"
 #include "studio/background/people_words.h"
-#include "studio/experiment/timeline_plots.h"
 #include "studio/files/creature_exhibit.h"
+#include "studio/files/saved_movies.h"
+#include "studio/files/saved_pages.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 namespace cambrian {
 namespace {
-
-// Turns words into a file name of letters, digits and dashes.
-std::string file_stem(const std::string& words) {
-    std::string stem;
-    for (const char letter : words) {
-        const auto byte = static_cast<unsigned char>(letter);
-        if (std::isalnum(byte) != 0) {
-            stem += static_cast<char>(std::tolower(byte));
-        } else if (!stem.empty() && stem.back() != '-') {
-            stem += '-';
-        }
-    }
-    while (!stem.empty() && stem.back() == '-')
-        stem.pop_back();
-    return stem.empty() ? "creature" : stem;
-}
 
 // Example: "Opened wanderer.creature.json. The first warning (2 more)".
 std::string opened_words(const std::filesystem::path& path,
@@ -49,6 +34,11 @@ std::string failure_words(const FileFailed& event) {
     if (!event.reading) return words;
     if (!words.empty() && words.back() != '.') words += '.';
     return words + " Nothing was opened: mend the file there, or open another one (Ctrl+O).";
+}
+
+// Example: "Champions of walking, seed 7".
+std::string run_title(const EvolutionSnapshot& run) {
+    return fmt::format("Champions of {}, seed {}", run.settings->goal, run.settings->seed);
 }
 
 }  // namespace
@@ -83,6 +73,7 @@ struct FilesController::Handler {
     }
     void operator()(const SaveCreatureFile& request) const {
         if (self.subjects_.viewer.playback().empty()) return;
+        if (is_page_path(request.path)) return self.write_page(request.path);
         CreatureDocument document = self.displayed_document();
         if (!is_card_name(request.path))
             return self.file_service_.save_creature(request.path, std::move(document));
@@ -136,10 +127,48 @@ struct FilesController::Handler {
                        palette_of(self.view_.theme),
                        {}};
         if (exhibit.experiment != 0) clip.generation = exhibit.creature.generation;
-        self.clips_.make(std::move(clip));
+        self.long_files_.write(
+            request.path, request.choice.seconds,
+            [clip = std::move(clip), &kinds = self.services_.kinds](
+                const TrialWatch& watch) mutable { return write_trial_clip(clip, kinds, watch); });
     }
     void operator()(const SaveSeen&) const { self.orders_.seen = true; }
-    void operator()(const StopClip&) const { self.clips_.stop(); }
+    void operator()(const SaveRunPage& request) const {
+        const OpenExperiment& experiment = self.subjects_.experiment.open();
+        const RunPage page{request.path, experiment.files().kept(),
+                           run_title(experiment.snapshot())};
+        self.long_files_.write(
+            request.path, static_cast<double>(kPageChampions),
+            [page, parts = self.page_parts_, &kinds = self.services_.kinds](
+                const TrialWatch& watch) { return write_run_page(page, parts, kinds, watch); });
+    }
+    void operator()(const SaveFilm& request) const {
+        const OpenExperiment& experiment = self.subjects_.experiment.open();
+        const double trial = experiment.snapshot().settings->world.trial.duration;
+        const double each = std::min(request.choice.seconds, trial) / request.choice.speed;
+        const RunFilm film{request.path, experiment.files().kept(), request.choice,
+                           palette_of(self.view_.theme)};
+        self.long_files_.write(request.path, static_cast<double>(kFilmScenes) * each,
+                               [film, &kinds = self.services_.kinds](const TrialWatch& watch) {
+                                   return write_run_film(film, kinds, watch);
+                               });
+    }
+    void operator()(const SaveRace& request) const {
+        if (!self.may_open(FileTask::kSaveRace)) return;
+        const std::vector<JudgedIndividual>& stars = self.subjects_.generations.facts().stars.all();
+        const Playback& playback = self.subjects_.viewer.playback();
+        const CreatureRace race{
+            request.path, stars,
+            playback.empty() ? *stars.front().settings : playback.exhibit().settings(),
+            request.choice, palette_of(self.view_.theme)};
+        const double length = std::min(request.choice.seconds, race.settings.world.trial.duration) /
+                              request.choice.speed;
+        self.long_files_.write(request.path, length,
+                               [race, &kinds = self.services_.kinds](const TrialWatch& watch) {
+                                   return write_creature_race(race, kinds, watch);
+                               });
+    }
+    void operator()(const StopFile&) const { self.long_files_.stop(); }
     void operator()(const CopyPicture&) const { self.orders_.copy = true; }
     void operator()(const WatchSample& request) const { self.watch_sample(request.path); }
     // The folder is read each time, so that creatures added meanwhile are found.
@@ -271,8 +300,7 @@ FilesController::FilesController(const Services& services, ViewState& view,
     : services_(services),
       view_(view),
       subjects_(subjects),
-      file_service_(services.worker, services.kinds, services.elsewhere),
-      clips_(services.kinds) {
+      file_service_(services.worker, services.kinds, services.elsewhere) {
     browser_.listing.folder = std::filesystem::current_path();
 }
 
@@ -295,20 +323,28 @@ void FilesController::update(double elapsed) {
     if (sample_motion_) sample_motion_->advance(elapsed);
     for (FileEvent& event : file_service_.take_events())
         std::visit(Receiver{*this}, event);
-    tell_finished_clips();
+    tell_finished_files();
 }
 
-void FilesController::tell_finished_clips() {
+void FilesController::write_page(const std::filesystem::path& path) {
+    CreaturePage page{path, displayed_document(), subjects_.viewer.playback().exhibit().name()};
+    long_files_.write(
+        path, 1.0,
+        [page = std::move(page), parts = page_parts_, &kinds = services_.kinds](
+            const TrialWatch& watch) { return write_creature_page(page, parts, kinds, watch); });
+}
+
+void FilesController::tell_finished_files() {
     const Receiver receiver{*this};
-    for (const FinishedClip& clip : clips_.take_finished()) {
-        if (clip.status) {
-            receiver(FileSaved{clip.path});
-        } else if (clip.stopped) {
-            receiver.log("stopped", clip.path);
+    for (const FinishedFile& file : long_files_.take_finished()) {
+        if (file.status) {
+            receiver(FileSaved{file.path});
+        } else if (file.stopped) {
+            receiver.log("stopped", file.path);
             services_.feedback.tell(
-                NoticeKind::kDone, fmt::format("{} was not saved.", clip.path.filename().string()));
+                NoticeKind::kDone, fmt::format("{} was not saved.", file.path.filename().string()));
         } else {
-            receiver(FileFailed{clip.path, clip.status.error().message});
+            receiver(FileFailed{file.path, file.status.error().message});
         }
     }
 }
@@ -372,52 +408,16 @@ void FilesController::save_picture(const std::filesystem::path& path, Image imag
 }
 
 void FilesController::save_seen(const std::filesystem::path& path, SeenClip seen) {
-    clips_.make(path, *clip_format_of(path), std::move(seen));
+    const double length = seen.end - seen.pictures.front().time;
+    long_files_.write(
+        path, length,
+        [path, format = clip_format_of(path), seen = std::move(seen)](const TrialWatch& watch) {
+            return write_seen_clip(seen, *format, path, watch);
+        });
 }
 
 void FilesController::want_samples() {
     if (!samples_.read) read_sample_folder();
-}
-
-// Returns whether a task has something to save; if not, shows a notice that says why.
-bool FilesController::may_open(FileTask task) {
-    const bool of_creature = task == FileTask::kSaveCreature || task == FileTask::kSaveClip;
-    if (of_creature && subjects_.viewer.playback().empty()) {
-        services_.feedback.tell(NoticeKind::kProblem, "There is no creature on display to save.");
-        return false;
-    }
-    const bool of_run = task == FileTask::kSaveStatistics || task == FileTask::kSavePlot;
-    if (of_run && subjects_.experiment.open().snapshot().history.empty()) {
-        services_.feedback.tell(NoticeKind::kProblem,
-                                "There are no statistics yet; evolve a generation first.");
-        return false;
-    }
-    return true;
-}
-
-std::string FilesController::suggested_name(FileTask task) const {
-    const OpenExperiment& experiment = subjects_.experiment.open();
-    switch (task) {
-        case FileTask::kOpen:
-            return {};
-        case FileTask::kSaveCreature:
-            return file_stem(subjects_.viewer.playback().exhibit().name()).append(kCreatureEnding);
-        case FileTask::kSaveClip:
-            return file_stem(subjects_.viewer.playback().exhibit().name()) + ".gif";
-        case FileTask::kSaveExperiment:
-            return experiment.files().chosen().empty()
-                       ? file_stem(experiment.editor().draft().goal) + ".cambrian"
-                       : experiment.files().chosen().filename().string();
-        case FileTask::kSavePreserve:
-            return "pond.cambrian";
-        case FileTask::kSaveSettings:
-            return "experiment.toml";
-        case FileTask::kSaveStatistics:
-            return "statistics.csv";
-        case FileTask::kSavePlot:
-            return std::string(timeline_plot(view_.quantity).id) + ".png";
-    }
-    return {};
 }
 
 void FilesController::show(const CreatureDocument& document, ExhibitSource source,

@@ -3,9 +3,12 @@
 // Owns files and samples: the file browser, reading and writing, and the effect of a loaded file on
 // the other controllers.
 
+#include "persist/page/page_file.h"
+#include "pictures/clips/seen_clip.h"
 #include "studio/experiment/generations_controller.h"
 #include "studio/files/file_service.h"
 #include "studio/files/files_contract.h"
+#include "studio/files/long_files.h"
 #include "studio/hand_picking/picking_controller.h"
 #include "studio/preserve/preserve_controller.h"
 
@@ -51,13 +54,17 @@ public:
     bool animating() const { return samples_.motion != nullptr; }
     void carry_out(const FilesRequest& request);
     FilesView facts() const {
-        return {
-            .browser = browser_, .samples = &samples_, .start = &start_, .clip = clips_.progress()};
+        return {.browser = browser_,
+                .samples = &samples_,
+                .start = &start_,
+                .writing = long_files_.progress()};
     }
     unsigned saves() const { return saves_; }  // number of files saved so far
 
     // Sets the folder of the sample creatures.
     void use_samples(const std::filesystem::path& folder) { samples_folder_ = folder; }
+    // Sets what pages are made of.
+    void use_page_parts(PageParts parts) { page_parts_ = std::move(parts); }
     // Reads a file at once, before the first frame.
     void open_now(const std::filesystem::path& path, ExhibitSource source);
     // Reads, in the background, the experiment that was open when the program was last used.
@@ -90,13 +97,15 @@ private:
     void show(const CreatureDocument& document, ExhibitSource source,
               const std::filesystem::path& path);
     CreatureDocument displayed_document() const;
-    void tell_finished_clips();
+    void write_page(const std::filesystem::path& path);
+    void tell_finished_files();
 
     Services services_;
     ViewState& view_;
     FileSubjects subjects_;
     FileService file_service_;
-    ClipMaker clips_;
+    LongFiles long_files_;
+    PageParts page_parts_;
     FileBrowser browser_;
     std::filesystem::path samples_folder_;
     SampleLibrary samples_;

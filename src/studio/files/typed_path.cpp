@@ -2,6 +2,7 @@
 
 #include "core/files/file_io.h"
 #include "persist/creature/creature_card.h"
+#include "persist/creature/page_document.h"
 #include "studio/files/clip_maker.h"
 #include "studio/files/file_service.h"
 
@@ -52,14 +53,14 @@ std::string_view trimmed(std::string_view text) {
 }
 
 bool has_ending(const std::string& name, FileTask task) {
-    return name.ends_with(ending_of(task)) || (task == FileTask::kSaveClip && is_clip_name(name)) ||
+    return name.ends_with(ending_of(task)) || (is_of_clips(task) && is_clip_name(name)) ||
            (task == FileTask::kSaveCreature &&
-            (name.ends_with(kCreatureEnding) || is_card_name(name)));
+            (name.ends_with(kCreatureEnding) || is_card_name(name) || is_page_path(name)));
 }
 
 bool is_only_an_ending(const std::string& name, FileTask task) {
-    return name == ending_of(task) || (task == FileTask::kSaveClip && name == ".mp4") ||
-           name == kCardEnding || name == ".png";
+    return name == ending_of(task) || (is_of_clips(task) && name == ".mp4") ||
+           name == kCardEnding || name == ".png" || name == kPageEnding;
 }
 
 }  // namespace

@@ -2,21 +2,21 @@
 
 #include "studio/panels/bar/evolve_bar.h"
 #include "studio/panels/bar/machines_line.h"
-#include "studio/panels/cards/clip_strip.h"
-#include "studio/panels/comparison/comparison_panel.h"
 #include "studio/panels/cards/file_panel.h"
+#include "studio/panels/cards/file_strip.h"
 #include "studio/panels/cards/help_panel.h"
-#include "studio/panels/machines/machines_panel.h"
 #include "studio/panels/cards/notice_strip.h"
 #include "studio/panels/cards/palette_panel.h"
 #include "studio/panels/cards/samples_panel.h"
 #include "studio/panels/cards/start_panel.h"
 #include "studio/panels/cards/suggestions_card.h"
 #include "studio/panels/cards/tour_card.h"
+#include "studio/panels/comparison/comparison_panel.h"
 #include "studio/panels/experiment/experiment_panel.h"
 #include "studio/panels/generations/population_panel.h"
 #include "studio/panels/generations/timeline_panel.h"
 #include "studio/panels/inspector/inspector_panel.h"
+#include "studio/panels/machines/machines_panel.h"
 #include "studio/panels/opening/founders_panel.h"
 #include "studio/panels/opening/founders_strip.h"
 #include "studio/panels/picking/picking_grid_panel.h"
@@ -128,8 +128,8 @@ bool machines_open(const FrameContext& frame) {
 bool comparison_open(const FrameContext& frame) {
     return frame.comparison != nullptr && frame.comparison->card_open;
 }
-bool clip_written(const FrameContext& frame) {
-    return !frame.files.clip.name.empty();
+bool file_written(const FrameContext& frame) {
+    return !frame.files.writing.name.empty();
 }
 bool touring(const FrameContext& frame) {
     return frame.tour_shown();
@@ -174,7 +174,7 @@ const std::array kPanels = {
     PanelKind{"comparison",    {kCard, 20, 18, {}, 10, centered<860, 640>}, comparison_open, make<ComparisonPanel>},
     PanelKind{"tour",          {kCard, 20, 18, {}, 10, tour_place},       touring,        make<TourCard>},
     PanelKind{"palette",       {kCard, 14, 14, {}, 10, palette_place},    palette_open,   make<PalettePanel>},
-    PanelKind{"clip",          {kCard, 16, 9, {}, 6, clip_place},         clip_written,   make<ClipStrip>},
+    PanelKind{"clip",          {kCard, 16, 9, {}, 6, file_strip_place},         file_written,   make<FileStrip>},
     PanelKind{"notice",        {kCard, 18, 10, {}, 4, notice_place},      notice_told,    make<NoticeStrip>},
 };
 // clang-format on

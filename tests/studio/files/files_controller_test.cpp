@@ -1,7 +1,9 @@
 #include "studio/files/files_controller.h"
 
+#include "core/files/file_io.h"
 #include "evolution/evaluation/trials.h"
 #include "persist/creature/creature_file.h"
+#include "persist/creature/page_document.h"
 #include "persist/records/statistics_csv.h"
 #include "studio_fixture.h"
 #include "studio_run.h"
@@ -50,12 +52,63 @@ TEST_CASE("a clip of the creature on display is written while other files are", 
     const auto settings = run.folder.path() / "a.toml";
     const ClipKind& kind = *clip_kind_of("a.gif");
     run.ask(SaveClip{gif, {kind.format, kind.card, 320, 180, 86400.0, 0.25}});
-    CHECK(run.studio.frame_context().files.clip.name == "a.gif");
+    CHECK(run.studio.frame_context().files.writing.name == "a.gif");
     run.ask(SaveSettingsFile{settings});
     REQUIRE(run.frames_until([&] { return std::filesystem::exists(settings); }));
     REQUIRE(run.frames_until([&] { return std::filesystem::exists(gif); }));
-    REQUIRE(run.frames_until([&] { return run.studio.frame_context().files.clip.name.empty(); }));
+    REQUIRE(
+        run.frames_until([&] { return run.studio.frame_context().files.writing.name.empty(); }));
     CHECK_THAT(run.log(), Catch::Contains("a.gif"));
+}
+
+TEST_CASE("a page of the creature on display and one of the run are saved", "[studio][files]") {
+    StudioRun run;
+    run.studio.files().use_page_parts({.version = "1",
+                                       .folder = CAMBRIAN_SOURCE_DIR "/assets/page",
+                                       .engine = {},
+                                       .licences = {}});
+    const auto one = run.folder.path() / "one.html";
+    const auto all = run.folder.path() / "all.html";
+    finish_generations(run, 2);
+    run.ask(SaveRunPage{all});
+    const auto notice = [&] { return run.studio.frame_context().window.notice; };
+    REQUIRE(run.frames_until([&] { return notice() && notice()->kind == NoticeKind::kProblem; }));
+    CHECK_THAT(notice()->text, Catch::Contains("no file yet"));
+    CHECK_FALSE(std::filesystem::exists(all));
+    run.ask(SaveExperimentFile{run.folder.path() / "run.cambrian"});
+    REQUIRE(run.frames_until([&] { return run.studio.files().saves() == 1; }));
+    run.ask(SaveRunPage{all});
+    run.ask(SaveCreatureFile{one});
+    REQUIRE(run.frames_until([&] { return run.studio.files().saves() == 3; }));
+    const auto shown = load_creature(one, test::kinds());
+    REQUIRE(shown);
+    CHECK(*shown->creature.individual->genome == *test::shown_in(run).genome());
+    const std::string page = read_file(all, kMaxPageBytes).value();
+    for (const char* part : {"generation 1", "\"rows\"", "Champions of ", "cambrian-creature-2"})
+        CHECK_THAT(page, Catch::Contains(part));
+}
+
+TEST_CASE("a film of the run and a race of the starred are saved", "[studio][files]") {
+    StudioRun run;
+    const ClipChoice choice{clip_kind_of("a.gif")->format, false, 96, 54, 0.2, 1.0};
+    finish_generations(run, 2);
+    run.ask(SaveExperimentFile{run.folder.path() / "run.cambrian"});
+    REQUIRE(run.frames_until([&] { return run.studio.files().saves() == 1; }));
+    run.ask(SaveFilm{run.folder.path() / "film.gif", choice});
+    REQUIRE(run.frames_until([&] { return run.studio.files().saves() == 2; }));
+    const auto& population = run.studio.frame_context().experiment.snapshot.population;
+    const auto star = [&](std::size_t place) {
+        const auto& snapshot = run.studio.frame_context().experiment.snapshot;
+        run.ask(ToggleStar{{1, population[place], snapshot.settings}});
+    };
+    star(0);
+    run.ask(SaveRace{run.folder.path() / "race.gif", choice});
+    CHECK_THAT(run.studio.frame_context().window.notice->text, Catch::Contains("2 to 6"));
+    star(1);
+    run.ask(SaveRace{run.folder.path() / "race.gif", choice});
+    REQUIRE(run.frames_until([&] { return run.studio.files().saves() == 3; }));
+    for (const char* name : {"film.gif", "race.gif"})
+        CHECK(read_file(run.folder.path() / name, 1'000'000).value().starts_with("GIF89a"));
 }
 
 TEST_CASE("a clip that is stopped leaves nothing", "[studio][files]") {
@@ -66,11 +119,12 @@ TEST_CASE("a clip that is stopped leaves nothing", "[studio][files]") {
     const ClipKind& kind = *clip_kind_of("a.card.png");
     for (const char* name : {"a.card.png", "b.card.png"})
         run.ask(SaveClip{folder / name, {kind.format, true, 960, 1280, 86400.0, 0.01}});
-    run.ask(StopClip{});
+    run.ask(StopFile{});
     REQUIRE(run.frames_until(
-        [&] { return run.studio.frame_context().files.clip.name == "b.card.png"; }));
-    run.ask(StopClip{});
-    REQUIRE(run.frames_until([&] { return run.studio.frame_context().files.clip.name.empty(); }));
+        [&] { return run.studio.frame_context().files.writing.name == "b.card.png"; }));
+    run.ask(StopFile{});
+    REQUIRE(
+        run.frames_until([&] { return run.studio.frame_context().files.writing.name.empty(); }));
     CHECK(std::filesystem::is_empty(folder));
     CHECK(run.studio.frame_context().window.notice->text == "b.card.png was not saved.");
 }

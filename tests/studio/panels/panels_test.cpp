@@ -278,6 +278,8 @@ TEST_CASE("a creature can be saved as a card and back, by a button or by its nam
     };
     click(gui, panel, studio, "Card");
     CHECK(saved_as() == "/creatures/hopper.card.png");
+    click(gui, panel, studio, "Page");
+    CHECK(saved_as() == "/creatures/hopper.html");
     click(gui, panel, studio, "Creature file");
     CHECK(saved_as() == "/creatures/hopper.creature.json");
     studio.files().opened = 2;

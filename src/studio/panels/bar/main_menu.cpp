@@ -17,9 +17,9 @@ struct Menu {
 constexpr std::array kMenus = {
     Menu{"File",
          "start open samples previous-run | new-preserve add-file keep-preserve close-preserve | "
-         "save-creature save-clip save-experiment save-settings export-* | screenshot save-seen "
-         "copy-picture | compare machines | "
-         "quit"},
+         "save-creature save-clip save-experiment save-settings | "
+         "save-run-page save-film save-race export-* | screenshot save-seen copy-picture | "
+         "compare machines | quit"},
     Menu{"Edit", "undo redo | palette find-setting | new-run-* evolve-shown"},
     Menu{"View",
          "pick-by-hand | panel-* | follow newest-always fit | side-* | overlay-* | look-* | "

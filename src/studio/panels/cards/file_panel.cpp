@@ -1,6 +1,7 @@
 #include "studio/panels/cards/file_panel.h"
 
 #include "persist/creature/creature_card.h"
+#include "persist/creature/page_document.h"
 #include "studio/files/file_service.h"
 #include "studio/files/typed_path.h"
 #include "studio/widgets/keyboard_focus.h"
@@ -37,6 +38,12 @@ const char* title_of(FileTask task) {
             return "Export the statistics";
         case FileTask::kSavePlot:
             return "Export the plot";
+        case FileTask::kSaveRunPage:
+            return "Save a page of this run, for browsers";
+        case FileTask::kSaveFilm:
+            return "Save a film of this run";
+        case FileTask::kSaveRace:
+            return "Save a race of the starred creatures";
     }
     return "Save the settings";
 }
@@ -95,7 +102,7 @@ bool choose_of_clip(const char* caption, const std::array<Line, Count>& lines,
 
 // Replaces the ending of a creature file, card or clip by another one.
 std::string with_other_ending(std::string name, std::string_view ending) {
-    std::vector<std::string_view> endings = {kCreatureEnding, kCardEnding, ".png"};
+    std::vector<std::string_view> endings = {kCreatureEnding, kCardEnding, ".png", kPageEnding};
     for (const ClipKind& kind : clip_kinds())
         endings.push_back(kind.ending);
     for (const std::string_view known : endings) {
@@ -116,6 +123,12 @@ bool would_replace(const FileBrowser& files, const std::filesystem::path& path) 
     std::error_code unknown;
     return std::filesystem::exists(path, unknown) &&
            !std::filesystem::equivalent(path, files.own_file, unknown);
+}
+
+// Returns why a kind of clip cannot be written for a task; empty if it can.
+std::string missing_of(const ClipKind& kind, FileTask task) {
+    if (kind.card && task != FileTask::kSaveClip) return "A card has one creature";
+    return kind.format->missing();
 }
 
 // A line with an icon that can be clicked.
@@ -148,7 +161,7 @@ void FilePanel::draw(const FrameContext& frame, Requests& out) {
         begin_name(files.suggested_name);
         missing_.clear();
         for (const ClipKind& kind : clip_kinds())
-            missing_.push_back(kind.format->missing());
+            missing_.push_back(missing_of(kind, files.task));
     }
     {
         const WithFont font(ui().fonts.title);
@@ -156,14 +169,14 @@ void FilePanel::draw(const FrameContext& frame, Requests& out) {
     }
     draw_places(frame, out);
     const bool creature = is_of_creature(files.task);
-    const bool clip = files.task == FileTask::kSaveClip;
+    const bool clip = is_of_clips(files.task);
     const float foot = px(30) * 2 + px(34) + (creature ? px(50) : 0.0F) +
                        (clip ? 4.0F * px(kChoiceRow) + px(8) : 0.0F);
     ImGui::BeginChild("entries", {0, -foot}, false, ImGuiWindowFlags_NoBackground);
     draw_entries(frame, out);
     ImGui::EndChild();
     if (creature) draw_format(frame, out);
-    if (clip) draw_clip_choices();
+    if (clip) draw_clip_choices(files.task);
     draw_name(frame, out);
 }
 
@@ -200,24 +213,27 @@ void FilePanel::draw_entries(const FrameContext& frame, Requests& out) {
 void FilePanel::draw_format(const FrameContext& frame, Requests& out) {
     const std::string name = name_.data();
     const bool clip = frame.files.browser.task == FileTask::kSaveClip;
-    const int present = clip ? 2 : is_card_name(name) ? 1 : 0;
+    const int present = clip ? 2 : is_page_path(name) ? 3 : is_card_name(name) ? 1 : 0;
     const int chosen = segmented(
-        "format", {"Creature file", "Card", "Clip"}, present,
+        "format", {"Creature file", "Card", "Clip", "Page"}, present,
         {"*.creature.json: the creature as text, to be opened again or read by other programs",
          "*.card.png: a picture of the creature that carries all of it inside. Whoever gets the "
          "picture can drop it on the window.",
-         "The creature in motion, to be shown anywhere"});
+         "The creature in motion, to be shown anywhere",
+         "*.html: a page on which the creature lives in any browser, without a network. It can be "
+         "pulled there, and its score is computed again."});
     ImGui::Dummy({0, px(2)});
     if (chosen < 0 || chosen == present) return;
+    constexpr std::array kEndings = {kCreatureEnding, kCardEnding, std::string_view(), kPageEnding};
     if (clip || chosen == 2)
         out.ask(OpenFilePanel{chosen == 2 ? FileTask::kSaveClip : FileTask::kSaveCreature});
     if (chosen == 2) return;
-    write_name(with_other_ending(name, chosen == 1 ? kCardEnding : kCreatureEnding));
+    write_name(with_other_ending(name, kEndings[static_cast<std::size_t>(chosen)]));
     focus_wanted_ = true;
 }
 
 // Shows which kind of clip the name's ending means, and all that can be chosen about it.
-void FilePanel::draw_clip_choices() {
+void FilePanel::draw_clip_choices(FileTask task) {
     const std::vector<ClipKind>& kinds = clip_kinds();
     const ClipKind* named = clip_kind_of(name_.data());
     const auto take = [&](std::size_t kind) {
@@ -243,20 +259,25 @@ void FilePanel::draw_clip_choices() {
         focus_wanted_ = true;
     }
     // The keyboard stays with the name.
-    focus_wanted_ |= choose_of_clip("Length", kLengths, clip_.length);
+    focus_wanted_ |= choose_of_clip("Length", kLengths, length_of(task));
     focus_wanted_ |= choose_of_clip("Speed", kSpeeds, clip_.speed);
     focus_wanted_ |= choose_of_clip("Size", sizes_of(kinds[clip_.kind]), clip_.size);
     ImGui::Dummy({0, px(2)});
 }
 
-ClipChoice FilePanel::clip_choice() const {
+std::size_t& FilePanel::length_of(FileTask task) {
+    if (task == FileTask::kSaveFilm) return clip_.film_length;
+    return task == FileTask::kSaveRace ? clip_.race_length : clip_.length;
+}
+
+ClipChoice FilePanel::clip_choice(FileTask task) {
     const ClipKind& kind = clip_kinds()[clip_.kind];
     const ClipSize& size = sizes_of(kind)[clip_.size];
     return {kind.format,
             kind.card,
             size.width,
             size.height,
-            kLengths[clip_.length].seconds,
+            kLengths[length_of(task)].seconds,
             kSpeeds[clip_.speed].speed};
 }
 
@@ -317,8 +338,7 @@ void FilePanel::draw_name(const FrameContext& frame, Requests& out) {
 // second Save.
 void FilePanel::confirm(const FrameContext& frame, Requests& out) {
     const FileBrowser& files = frame.files.browser;
-    if (files.task == FileTask::kSaveClip && name_[0] != '\0' &&
-        clip_kind_of(name_.data()) == nullptr)
+    if (is_of_clips(files.task) && name_[0] != '\0' && clip_kind_of(name_.data()) == nullptr)
         write_name(with_other_ending(name_.data(), clip_kinds()[clip_.kind].ending));
     const TypedPath typed = typed_path(files, name_.data());
     const std::filesystem::path& path = typed.path;
@@ -339,11 +359,14 @@ void FilePanel::confirm(const FrameContext& frame, Requests& out) {
     const FileTask task = files.task;
     if (task == FileTask::kOpen) out.ask(LoadFile{path});
     if (task == FileTask::kSaveCreature) out.ask(SaveCreatureFile{path});
-    if (task == FileTask::kSaveClip) out.ask(SaveClip{path, clip_choice()});
+    if (task == FileTask::kSaveClip) out.ask(SaveClip{path, clip_choice(task)});
+    if (task == FileTask::kSaveFilm) out.ask(SaveFilm{path, clip_choice(task)});
+    if (task == FileTask::kSaveRace) out.ask(SaveRace{path, clip_choice(task)});
     if (task == FileTask::kSaveExperiment) out.ask(SaveExperimentFile{path});
     if (task == FileTask::kSavePreserve) out.ask(SavePreserveFile{path});
     if (task == FileTask::kSaveSettings) out.ask(SaveSettingsFile{path});
     if (task == FileTask::kSaveStatistics) out.ask(SaveStatisticsFile{path});
+    if (task == FileTask::kSaveRunPage) out.ask(SaveRunPage{path});
     if (task == FileTask::kSavePlot) out.ask(SavePlotPicture{path, files.picture});
     out.ask(CloseFilePanel{});
 }

@@ -20,8 +20,9 @@ private:
     void draw_places(const FrameContext& frame, Requests& out);
     void draw_entries(const FrameContext& frame, Requests& out);
     void draw_format(const FrameContext& frame, Requests& out);
-    void draw_clip_choices();
-    ClipChoice clip_choice() const;
+    void draw_clip_choices(FileTask task);
+    std::size_t& length_of(FileTask task);
+    ClipChoice clip_choice(FileTask task);
     void draw_name(const FrameContext& frame, Requests& out);
     void begin_name(const std::string& name);
     void write_name(const std::string& name);
@@ -37,6 +38,8 @@ private:
     struct {
         std::size_t kind = 0;
         std::size_t length = 1;
+        std::size_t film_length = 0;  // of each champion
+        std::size_t race_length = 3;
         std::size_t speed = 2;
         std::size_t size = 0;
     } clip_;

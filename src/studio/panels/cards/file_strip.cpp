@@ -1,4 +1,4 @@
-#include "studio/panels/cards/clip_strip.h"
+#include "studio/panels/cards/file_strip.h"
 
 #include "studio/panels/cards/notice_strip.h"
 #include "studio/widgets/widgets.h"
@@ -14,18 +14,18 @@ namespace {
 constexpr float kStopWidth = 60.0F;
 constexpr float kShareHeight = 4.0F;
 
-std::string words_of_clip(const ClipProgress& clip) {
+std::string words_of_file(const FileProgress& clip) {
     if (clip.stopping) return fmt::format("Giving up {}", clip.name);
     return fmt::format("Saving {}: {} %", clip.name, std::lround(100.0 * clip.share));
 }
 
 }  // namespace
 
-void ClipStrip::draw(const FrameContext& frame, Requests& out) {
-    const ClipProgress& clip = frame.files.clip;
+void FileStrip::draw(const FrameContext& frame, Requests& out) {
+    const FileProgress& clip = frame.files.writing;
     const float room = ImGui::GetContentRegionAvail().x - px(kStopWidth) - px(12);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::TextUnformatted(fit_text(words_of_clip(clip), room).c_str());
+    ImGui::TextUnformatted(fit_text(words_of_file(clip), room).c_str());
     const ImVec2 low = {at.x, at.y + ImGui::GetFontSize() + px(6)};
     const auto draw_bar = [&](float width, const Color& color) {
         ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + px(kShareHeight)},
@@ -35,10 +35,10 @@ void ClipStrip::draw(const FrameContext& frame, Requests& out) {
     draw_bar(room * static_cast<float>(clip.share), colors().accent);
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - px(kStopWidth));
     if (push_button("Stop", {.width = px(kStopWidth), .enabled = !clip.stopping}))
-        out.ask(StopClip{});
+        out.ask(StopFile{});
 }
 
-Rect clip_place(const FrameContext& frame, const CardSpace& space) {
+Rect file_strip_place(const FrameContext& frame, const CardSpace& space) {
     const Rect& viewport = space.viewport;
     const float width = std::min(px(380), viewport.width - px(32));
     const float height = px(48);

@@ -5,12 +5,12 @@
 namespace cambrian {
 
 // One line at the bottom of the viewport: the clip that is being written, and a button to stop.
-class ClipStrip final : public Panel {
+class FileStrip final : public Panel {
 public:
     void draw(const FrameContext& frame, Requests& out) override;
 };
 
 // Returns the strip's rectangle, above the notice if there is one.
-Rect clip_place(const FrameContext& frame, const CardSpace& space);
+Rect file_strip_place(const FrameContext& frame, const CardSpace& space);
 
 }  // namespace cambrian
