@@ -9,6 +9,7 @@ SubcommandRegistry builtin_subcommands() {
     subcommands.add(view_subcommand());
     subcommands.add(evolve_subcommand());
     subcommands.add(compare_subcommand());
+    subcommands.add(challenge_subcommand());
     subcommands.add(preserve_subcommand());
     subcommands.add(worker_subcommand());
     subcommands.add(cluster_subcommand());

@@ -23,6 +23,8 @@ namespace output_form {
 inline const OutputForm kCreature{"a creature", {".creature.json", ".json"}};
 inline const OutputForm kTable{"a table", {".csv"}};
 inline const OutputForm kSettings{"a settings file", {".toml"}};
+inline const OutputForm kChallenge{"a challenge", {".challenge.toml"}};
+inline const OutputForm kBoard{"a board", {".md", ".html"}};
 inline const OutputForm kPage{"a page", {".html"}};
 inline const OutputForm kPicture{"a picture", {".png"}};
 inline const OutputForm kClip{"a clip", {".mp4", ".gif", ".apng"}};

@@ -16,6 +16,7 @@ inline constexpr const char* kAnyOfOurs =
     "FILE.creature.json|FILE.card.png|FILE.html|FILE.toml|FILE.cambrian";
 inline constexpr const char* kTable = "FILE.csv";
 inline constexpr const char* kPage = "FILE.html";
+inline constexpr const char* kChallengeOrBoard = "FILE.challenge.toml|FILE.md|FILE.html";
 inline constexpr const char* kPicture = "FILE.png";
 inline constexpr const char* kClip = "FILE.mp4|FILE.gif|FILE.apng";
 inline constexpr const char* kDrawing = "FILE.png|FILE.mp4|FILE.gif|FILE.apng|FILE.html";

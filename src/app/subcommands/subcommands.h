@@ -4,6 +4,7 @@
 
 namespace cambrian {
 
+SubcommandKind challenge_subcommand();
 SubcommandKind cluster_subcommand();
 SubcommandKind compare_subcommand();
 SubcommandKind completion_subcommand();

@@ -34,8 +34,11 @@ EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
                                     const ExperimentSettings& settings, const EvolutionKinds& kinds,
                                     const std::stop_token& stop = {});
 
-// Returns the score in eight trials whose light and wall have places that no generation uses; the
-// least of the goal if one fails. `held` is as in EvaluationRequest.
+// Return the result, or its score, of eight trials whose light, wall and other chance no generation
+// draws; the score is the least of the goal if one fails. `held` is as in EvaluationRequest.
+EvaluationResult held_out_result(const GenomePtr& genome, const ExperimentSettings& settings,
+                                 const EvolutionKinds& kinds, const std::stop_token& stop = {},
+                                 std::vector<std::optional<double>> held = {});
 double held_out_score(const GenomePtr& genome, const ExperimentSettings& settings,
                       const EvolutionKinds& kinds, const std::stop_token& stop = {},
                       std::vector<std::optional<double>> held = {});

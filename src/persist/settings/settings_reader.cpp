@@ -1,4 +1,5 @@
 #include "core/text/nearest_name.h"
+#include "persist/settings/challenge_table.h"
 #include "persist/settings/settings_file.h"
 #include "persist/settings/toml.h"
 #include "persist/text/error_list.h"
@@ -181,6 +182,9 @@ Result<ExperimentSettings> merge_settings(const std::vector<SettingsText>& texts
         }
         if (Status here = take_dimensions(document.table(), kinds); !here)
             return Error{fmt::format("{}: {}", source, here.error().message)};
+        const auto challenge =
+            take_challenge(document.table(), source, kinds.creature.scene.dimensions);
+        if (!challenge) return challenge.error();
         goal = document["goal"]["behavior"].value_or(goal);
         has_ground = document["environment"]["ground"].value_exact<bool>().value_or(has_ground);
         documents.push_back(std::move(document).table());

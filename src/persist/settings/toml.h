@@ -4,6 +4,8 @@
 // builds assumes, that some errors do not occur: a table named "[=]", or certain letters (U+FDFB)
 // in wrong places. Without assertions and assumptions it reports them as errors.
 
+#include <cstdint>  // the library needs it first
+
 #define TOML_EXCEPTIONS 0
 #define TOML_ASSERT(condition) static_cast<void>(0)
 #pragma push_macro("NDEBUG")

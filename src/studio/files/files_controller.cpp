@@ -4,6 +4,7 @@
 #include "evolution/evaluation/trials.h"
 #include "persist/experiment/file_dimensions.h"
 #include "persist/page/run_page.h"
+#include "persist/settings/challenge_file.h"
 #include "pictures/film.h"
 #include "pictures/race.h"
 #include "studio/background/people_words.h"
@@ -26,6 +27,15 @@ std::string opened_words(const std::filesystem::path& path,
     if (!warnings.empty()) text += " " + people_words(warnings.front());
     if (warnings.size() > 1) text += fmt::format(" ({} more)", warnings.size() - 1);
     return text;
+}
+
+std::string words_of_settings(const SettingsLoaded& event) {
+    const std::string name = event.path.filename().string();
+    if (!name.ends_with(kChallengeEnding))
+        return fmt::format("Opened {}. Press Evolve to begin with these settings.", name);
+    return fmt::format("The challenge {}: {} trials with seed {}. Press Evolve to begin.",
+                       name.substr(0, name.size() - kChallengeEnding.size()),
+                       event.settings.max_evaluations, event.settings.seed);
 }
 
 // Says what failed, where, and what can be done about it.
@@ -231,9 +241,7 @@ struct FilesController::Receiver {
         self.view_.newest_champion = false;  // that of the run before
         self.subjects_.experiment.show_founder(0);
         log("loaded", event.path);
-        feedback().tell(NoticeKind::kDone,
-                        fmt::format("Opened {}. Press Evolve to begin with these settings.",
-                                    event.path.filename().string()));
+        feedback().tell(NoticeKind::kDone, words_of_settings(event));
     }
     void operator()(const PreserveSettingsLoaded& event) const {
         log("loaded", event.path);
@@ -376,8 +384,9 @@ void FilesController::read_runs() {
             return [this, run = read_run(path, kinds)] { start_.runs.push_back(run); };
         });
     }
-    services_.worker.submit([this](const std::stop_token&) {
-        return [this] {
+    services_.worker.submit([this, folder = challenges_folder_](const std::stop_token&) {
+        return [this, found = challenges_in(folder)] {
+            start_.challenges = found;
             start_.read = true;
             services_.feedback.log().write("start page",
                                            {{"runs", static_cast<double>(start_.runs.size())}});

@@ -63,6 +63,7 @@ public:
 
     // Sets the folder of the sample creatures.
     void use_samples(const std::filesystem::path& folder) { samples_folder_ = folder; }
+    void use_challenges(const std::filesystem::path& folder) { challenges_folder_ = folder; }
     // Sets what pages are made of.
     void use_page_parts(PageParts parts) { page_parts_ = std::move(parts); }
     // Reads a file at once, before the first frame.
@@ -108,6 +109,7 @@ private:
     PageParts page_parts_;
     FileBrowser browser_;
     std::filesystem::path samples_folder_;
+    std::filesystem::path challenges_folder_;
     SampleLibrary samples_;
     std::optional<GridMotion> sample_motion_;  // of the sample that is watched
     StartPage start_;

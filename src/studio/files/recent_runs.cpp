@@ -5,6 +5,7 @@
 #include "core/text/shown_score.h"
 #include "persist/experiment/experiment_parts.h"
 #include "persist/preserve/preserve_file.h"
+#include "persist/settings/challenge_file.h"
 
 #include <fmt/core.h>
 
@@ -19,6 +20,18 @@ void use_run(std::vector<std::filesystem::path>& paths, const std::filesystem::p
     std::erase(paths, whole);
     paths.insert(paths.begin(), whole);
     if (paths.size() > kMostRecent) paths.resize(kMostRecent);
+}
+
+std::vector<std::filesystem::path> challenges_in(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> found;
+    std::error_code error;
+    auto entry = std::filesystem::directory_iterator(folder, error);
+    for (const auto end = std::filesystem::directory_iterator(); !error && entry != end;
+         entry.increment(error)) {
+        if (entry->path().string().ends_with(kChallengeEnding)) found.push_back(entry->path());
+    }
+    std::sort(found.begin(), found.end());
+    return found;
 }
 
 RecentRun read_run(const std::filesystem::path& path, const EvolutionKinds& kinds) {

@@ -29,7 +29,11 @@ struct StartPage {
     bool read = false;                         // whether `runs` is what the files hold
     std::vector<std::filesystem::path> paths;  // of the runs, the last used one first
     std::vector<RecentRun> runs;
+    std::vector<std::filesystem::path> challenges;  // that come with the program, sorted
 };
+
+// Returns the challenges of a folder, sorted; none if it cannot be read.
+std::vector<std::filesystem::path> challenges_in(const std::filesystem::path& folder);
 
 // Puts a run first among others of which there are at most kMostRecent.
 void use_run(std::vector<std::filesystem::path>& paths, const std::filesystem::path& path);

@@ -41,9 +41,12 @@ TEST_CASE("a saved run is on the start page with its champion, and opens from th
     CHECK(run.studio.files().recent().front() == file);
     std::vector<std::filesystem::path> paths = {broken, file, run.folder.path() / "gone.cambrian"};
     run.studio.files().use_recent(paths);
+    run.studio.files().use_challenges(CAMBRIAN_SOURCE_DIR "/assets/challenges");
     run.ask(ToggleStartPage{});
     const StartPage& page = *run.studio.frame_context().files.start;
     REQUIRE(run.frames_until([&] { return page.read; }));
+    REQUIRE(page.challenges.size() == 5);
+    CHECK(page.challenges[0].filename() == "jump.challenge.toml");
     REQUIRE(page.runs.size() == 3);
     CHECK_FALSE(page.runs[0].readable);
     CHECK(page.runs[1].readable);

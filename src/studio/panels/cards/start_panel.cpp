@@ -75,6 +75,25 @@ void draw_runs(const StartPage& page, Requests& out) {
     }
 }
 
+void draw_challenges(const StartPage& page, Requests& out) {
+    if (page.challenges.empty()) return;
+    section("Challenges");
+    float left = ImGui::GetContentRegionAvail().x;
+    for (const std::filesystem::path& path : page.challenges) {
+        const std::string file = path.filename().string();
+        const std::string name = file.substr(0, file.find('.'));
+        const float width = ImGui::CalcTextSize(name.c_str()).x + px(32);
+        const bool fits = path != page.challenges.front() && left >= width + px(kRunGap);
+        if (fits) ImGui::SameLine(0, px(kRunGap));
+        if (!fits) left = ImGui::GetContentRegionAvail().x;
+        left -= width + px(kRunGap);
+        if (push_button(name, {.width = width,
+                               .tooltip = "A goal, a world, a seed and a number of trials that "
+                                          "are the same for everybody"}))
+            out.ask(LoadFile{path});
+    }
+}
+
 }  // namespace
 
 void StartPanel::draw(const FrameContext& frame, Requests& out) {
@@ -96,6 +115,7 @@ void StartPanel::draw(const FrameContext& frame, Requests& out) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kRunGap), px(kRunGap)));
     section("Recent runs");
     draw_runs(*frame.files.start, out);
+    draw_challenges(*frame.files.start, out);
     section("Samples");
     samples_.draw_tiles(*frame.files.samples, out);
     ImGui::PopStyleVar();
