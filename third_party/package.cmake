@@ -5,7 +5,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_PACKAGE_NAME cambrian)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_CONTACT "The Cambrian authors <cambrian@localhost>")
+set(CPACK_PACKAGE_CONTACT "The Cambrian authors <cambrian@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "studio for evolving virtual creatures")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Cambrian evolves virtual creatures that walk, jump, swim or fly, with bodies\n\
  and brains that nobody designed, after Karl Sims (1994). A window shows them\n\
@@ -35,10 +35,14 @@ foreach(line IN LISTS licence)
   file(APPEND ${documents}/copyright " ${line}\n")
 endforeach()
 file(WRITE ${documents}/changelog "cambrian (${PROJECT_VERSION}) stable; urgency=low\n\n  * See /usr/share/cambrian/help/what_changed.md.\n\n\
- -- The Cambrian authors <cambrian@localhost>  Mon, 30 Nov 2026 00:00:00 +0000\n")
+ -- The Cambrian authors <cambrian@example.org>  Mon, 30 Nov 2026 00:00:00 +0000\n")
 find_program(CAMBRIAN_GZIP gzip)
 if(CAMBRIAN_GZIP)
   execute_process(COMMAND ${CAMBRIAN_GZIP} -9nf ${documents}/changelog)
   install(FILES ${documents}/copyright ${documents}/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})
 endif()
+# The manual is compressed in the package only.
+file(WRITE ${documents}/compress.cmake "file(GLOB_RECURSE manuals \"\${CPACK_TEMPORARY_DIRECTORY}/*.1\")\n\
+if(manuals)\n  execute_process(COMMAND gzip -9nf \${manuals})\nendif()\n")
+set(CPACK_PRE_BUILD_SCRIPTS ${documents}/compress.cmake)
 include(CPack)
