@@ -37,6 +37,9 @@ SensorRegistry spatial_sensors() {
     SensorRegistry sensors = common_sensors();
     add_second_degree_sensor(sensors);
     add_flat_contact_sensor(sensors);
+    add_third_degree_sensor(sensors);
+    add_further_rate_sensor(sensors);
+    add_further_effort_sensor(sensors);
     return sensors;
 }
 

@@ -20,10 +20,33 @@ double read_joint_rate(const SensorSite& site, double& /*memory*/) {
     return limited_reading(rate / (kSlide * 2.0 * site.part.half_extents.x()));
 }
 
-double read_second_degree(const SensorSite& site, double& /*memory*/) {
-    if (degrees_of(site.part) < 2) return 0.0;
-    return turn_sign(site.part.axes[1], site.handedness, site.depth_sign) *
-           site.body.joint_coordinate(JointDegree{static_cast<std::uint16_t>(site.index), 1});
+// Reads a further degree of freedom, whose sign is that of its turn; 0 where the joint has none.
+template <class Read>
+double read_further(const SensorSite& site, std::size_t degree, Read read) {
+    if (degree >= degrees_of(site.part)) return 0.0;
+    const int sign = turn_sign(site.part.axes[degree], site.handedness, site.depth_sign);
+    return sign * read(JointDegree{static_cast<std::uint16_t>(site.index),
+                                   static_cast<std::uint8_t>(degree)});
+}
+
+template <std::size_t kDegree>
+double read_further_angle(const SensorSite& site, double& /*memory*/) {
+    return read_further(site, kDegree, [&site](const JointDegree& degree) {
+        return site.body.joint_coordinate(degree);
+    });
+}
+
+double read_further_rate(const SensorSite& site, double& /*memory*/) {
+    return read_further(site, 1 + site.channel, [&site](const JointDegree& degree) {
+        return limited_reading(site.body.joint_rate(degree) / kTurn);
+    });
+}
+
+double read_further_effort(const SensorSite& site, double& /*memory*/) {
+    return read_further(site, 1 + site.channel, [&site](const JointDegree& degree) {
+        const double most = limits_of(site.part, degree.degree).max_effort;
+        return most > 0.0 ? std::clamp(site.body.joint_effort(degree) / most, -1.0, 1.0) : 0.0;
+    });
 }
 
 double read_effort(const SensorSite& site, double& /*memory*/) {
@@ -58,7 +81,39 @@ void add_second_degree_sensor(SensorRegistry& sensors) {
                  .label = "Joint, second angle",
                  .group = "Joint and touch",
                  .channels = {{"joint-2", "Joint, second angle"}},
-                 .read = read_second_degree});
+                 .read = read_further_angle<1>});
+}
+
+// The twist of a ball; 0 where a joint has less than three degrees of freedom.
+void add_third_degree_sensor(SensorRegistry& sensors) {
+    sensors.add({.id = "joint-3",
+                 .label = "Joint, third angle",
+                 .group = "Joint and touch",
+                 .channels = {{"joint-3", "Joint, third angle"}},
+                 .read = read_further_angle<2>});
+}
+
+// Rates and efforts of the second and third degrees of freedom, in the units of the first.
+void add_further_rate_sensor(SensorRegistry& sensors) {
+    sensors.add({.id = "further-rates",
+                 .label = "Further joint rates",
+                 .group = "Proprioception",
+                 .channels = {{"joint-rate-2", "Joint rate, second angle"},
+                              {"joint-rate-3", "Joint rate, third angle"}},
+                 .read = read_further_rate,
+                 .spot = [](std::size_t, int) { return Vec3(-0.55, 0.0, 0.0); },
+                 .usual = false});
+}
+
+void add_further_effort_sensor(SensorRegistry& sensors) {
+    sensors.add({.id = "further-efforts",
+                 .label = "Further muscle efforts",
+                 .group = "Proprioception",
+                 .channels = {{"effort-2", "Muscle effort, second angle"},
+                              {"effort-3", "Muscle effort, third angle"}},
+                 .read = read_further_effort,
+                 .spot = [](std::size_t, int) { return Vec3(-0.3, 0.0, 0.0); },
+                 .usual = false});
 }
 
 // Rate of the joint: 1 at 6 rad/s, or at 1.5 lengths of the part per second for a sliding joint,

@@ -8,6 +8,9 @@ namespace cambrian {
 
 void add_joint_sensor(SensorRegistry& sensors);
 void add_second_degree_sensor(SensorRegistry& sensors);
+void add_third_degree_sensor(SensorRegistry& sensors);
+void add_further_rate_sensor(SensorRegistry& sensors);
+void add_further_effort_sensor(SensorRegistry& sensors);
 void add_flat_contact_sensor(SensorRegistry& sensors);
 void add_contact_sensor(SensorRegistry& sensors);
 void add_accelerometer(SensorRegistry& sensors);

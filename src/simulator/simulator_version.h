@@ -20,7 +20,7 @@ inline constexpr std::string_view kSimulatorVersion = "1.3";
 //
 //     3d-0.1
 //     3d-0.2  ground; stops solved together with contacts
-//     3d-0.3  contact between parts
+//     3d-0.3  contact between parts; ball joints
 inline constexpr std::string_view kSpatialSimulatorVersion = "3d-0.3";
 
 constexpr std::string_view simulator_version(int dimensions) {

@@ -27,6 +27,13 @@ void evaluate(const Model& model, const Forcing& forcing, const Motion& motion, 
         rate.position[d] = motion.speed[d];
         rate.speed[d] = evaluation.response.joint[d];
     }
+    for (int i = 0; i < model.ball_count; ++i) {
+        const int first = model.bodies[model.balls[i]].first_degree;
+        // Of an attitude Q exp(chart), with the spin in the inner axes.
+        const Vec3 chart =
+            chart_rate(-ball_vector(motion.position + first), ball_vector(motion.speed + first));
+        set_coordinate_vector(rate.position + first, {chart.z(), chart.y(), chart.x()});
+    }
     Six whole;
     for (int b = 0; b < model.body_count; ++b)
         whole += loads.wrench[b];

@@ -18,6 +18,29 @@ double clamped(double x, double size) {
     return std::clamp(x, -size, size);
 }
 
+// Sets what is missing from the joints' coordinates to the targets, at a share of the tick. Balls
+// miss a turn in the axes of the body; both their bends are first scaled back into the cone.
+void find_missing(const Model& model, const Drive& drive, double share, const Motion& motion,
+                  double* missing, double* target) {
+    for (int d = 0; d < model.degree_count; ++d) {
+        target[d] = drive.start[d] + share * (drive.end[d] - drive.start[d]);
+        missing[d] = target[d] - motion.position[d];
+    }
+    for (int i = 0; i < model.ball_count; ++i) {
+        const int b = model.balls[i];
+        const int first = model.bodies[b].first_degree;
+        BallAngles angles{target[first], target[first + 1], target[first + 2]};
+        const double swing = angles.swing();
+        const double most = model.degrees[first].high;
+        if (swing > most) {
+            angles.bend_z *= most / swing;
+            angles.bend_y *= most / swing;
+        }
+        const Vec3 turn = turn_between(ball_attitude(model, motion, b), ball_attitude(angles));
+        set_coordinate_vector(missing + first, {turn.z(), turn.y(), turn.x()});
+    }
+}
+
 // The rate that a motor wants and its effort for each difference from it; what it wants in torque
 // mode is an effort.
 struct Wanted {
@@ -26,17 +49,13 @@ struct Wanted {
     double damping = 1.0;  // 0 in torque mode
 };
 
-Wanted wanted(const Degree& degree, const Drive& drive, double target, double position) {
+Wanted wanted(const Degree& degree, const Drive& drive, double target, double missing) {
     if (degree.mode == MotorMode::kTorque)
         return {clamped(target, 1.0), drive.frequency > 0.0 ? degree.max_effort : 0.0, 0.0};
     const double fastest = degree.rate_scale * drive.speed_limit;
     const double asked =
-        degree.mode == MotorMode::kPosition ? 0.5 * drive.frequency * (target - position) : target;
+        degree.mode == MotorMode::kPosition ? 0.5 * drive.frequency * missing : target;
     return {clamped(asked, fastest), 2.0 * degree.inertia * drive.frequency};
-}
-
-double target_of(const Drive& drive, int degree, double share) {
-    return drive.start[degree] + share * (drive.end[degree] - drive.start[degree]);
 }
 
 // Velocity and spin of a part in its own axes, and what drag gives it there.
@@ -72,10 +91,13 @@ void add_pair(const Medium& medium, const Vec3& half, int normal, Flow& flow) {
 MotorPower drive_joints(const Model& model, const Drive& drive, double share, const Motion& motion,
                         Loads& loads) {
     MotorPower power;
+    double missing[kMostJointDegrees];
+    double target[kMostJointDegrees];
+    find_missing(model, drive, share, motion, missing, target);
     for (int d = 0; d < model.degree_count; ++d) {
         const Degree& degree = model.degrees[d];
         const double rate = motion.speed[d];
-        const Wanted want = wanted(degree, drive, target_of(drive, d, share), motion.position[d]);
+        const Wanted want = wanted(degree, drive, target[d], missing[d]);
         loads.effort[d] = clamped(want.gain * (want.rate - want.damping * rate), degree.max_effort);
         loads.damping[d] = 0.0;
         const double given = loads.effort[d] * rate;
@@ -87,9 +109,12 @@ MotorPower drive_joints(const Model& model, const Drive& drive, double share, co
 
 void drive_joints_implicitly(const Model& model, const Drive& drive, double share,
                              const Motion& start, const Motion& motion, double time, Loads& loads) {
+    double missing[kMostJointDegrees];
+    double target[kMostJointDegrees];
+    find_missing(model, drive, share, motion, missing, target);
     for (int d = 0; d < model.degree_count; ++d) {
         const Degree& degree = model.degrees[d];
-        const Wanted want = wanted(degree, drive, target_of(drive, d, share), motion.position[d]);
+        const Wanted want = wanted(degree, drive, target[d], missing[d]);
         const double predicted = want.gain * (want.rate - want.damping * motion.speed[d]);
         if (std::fabs(predicted) < degree.max_effort) {
             loads.effort[d] = want.gain * (want.rate - want.damping * start.speed[d]);

@@ -9,6 +9,7 @@
 namespace cambrian {
 namespace {
 
+constexpr double kMostSwing = 2.2;      // rad; a ball's twist turns fast where it nears pi
 constexpr double kMostExtension = 0.9;  // share of the part's length, in both directions
 
 DegreeLimits hinge(const JointGenes& genes, int axis, double low, double high) {
@@ -33,6 +34,16 @@ void shape_hinges(const JointGenes& genes, PlannedPart& part) {
         const auto& limits = genes.further_limits[d - 1];
         part.further[d - 1] = hinge(genes, axes[d], limits[0], limits[1]);
     }
+}
+
+// The cone of both bends has the mean of the first's limits; the genes of the second stay unused.
+void shape_ball(const JointGenes& genes, PlannedPart& part) {
+    shape_hinges<2, 1, 0>(genes, part);
+    const double swing = std::fmin(0.5 * (genes.limit_high - genes.limit_low), kMostSwing);
+    part.limit_low = -swing;
+    part.limit_high = swing;
+    part.further[0].low = -swing;
+    part.further[0].high = swing;
 }
 
 void shape_slide(const JointGenes& genes, PlannedPart& part) {
@@ -75,6 +86,11 @@ JointRegistry spatial_joints() {
                 .motion = JointMotion::kTurn,
                 .shape = shape_hinges<x, z>,
                 .turns = 2});
+    joints.add({.id = "spherical",
+                .label = "Spherical",
+                .motion = JointMotion::kBall,
+                .shape = shape_ball,
+                .turns = 3});
     return joints;
 }
 

@@ -20,16 +20,19 @@ struct Body {
     int parent = -1;
     int first_degree = 0;
     int degree_count = 0;
-    double mass = 0.0;  // kg
-    Symmetric inertia;  // kg m^2, about the centre of mass, in the axes of its first part
+    bool is_ball = false;  // its three degrees are a ball's, about z, y and x
+    double mass = 0.0;     // kg
+    Symmetric inertia;     // kg m^2, about the centre of mass, in the axes of its first part
     // The joint to the parent. Pivots are from the centres of mass, m.
     Turn joint_frame;  // of this body at rest, in the parent's axes
     Vec3 pivot_in_parent = Vec3::Zero();
     Vec3 pivot_in_body = Vec3::Zero();
 };
 
-// A hinge or a slide. Several hinges of one joint follow one another: each turns about an axis of
-// the frame that those before have turned.
+// A hinge, a slide or one of the three of a ball. Several hinges of one joint follow one another:
+// each turns about an axis of the frame that those before have turned. Those of a ball all turn
+// about axes of the body; their limits are those of its angles (ball.h), and both bends together
+// stay in a cone.
 struct Degree {
     int body = 0;
     int axis = 2;  // of the joint frame: x, y or z
@@ -58,12 +61,14 @@ struct Model {
     int body_count = 0;
     int degree_count = 0;
     int part_count = 0;
+    int ball_count = 0;
     int pair_count = 0;
     double mass = 0.0;     // kg
     double density = 1.0;  // kg/m^3
     Body bodies[kMostBodies];
     Degree degrees[kMostJointDegrees];
     Part parts[kMostParts];
+    int balls[kMostBodies] = {};             // bodies whose joint is a ball
     TouchingPair pairs[kMostTouchingPairs];  // let_parts_touch() lists them
     bool measured[kMostParts] = {};          // PlannedPart::measures_forces
     Turn root_turn;                          // of the root at rest

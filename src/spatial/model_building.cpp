@@ -29,7 +29,11 @@ bool is_finite(const PlannedPart& part) {
 }
 
 Status check_joint(const PlannedPart& part, std::size_t index) {
-    if (part.motion > JointMotion::kSlide) return part_error(index, "unknown motion of its joint");
+    const bool is_ball = part.motion == JointMotion::kBall;
+    if (part.motion > JointMotion::kSlide && !is_ball)
+        return part_error(index, "unknown motion of its joint");
+    if (is_ball && !(part.degree_count == kMostDegrees && part.limit_high < kPi))
+        return part_error(index, "a ball has 3 degrees of freedom and bends by less than pi");
     if (part.degree_count < 1 || part.degree_count > kMostDegrees)
         return part_error(index, "a joint has 1 to 3 degrees of freedom");
     for (std::size_t d = 0; d < part.degree_count; ++d) {
@@ -155,11 +159,15 @@ private:
         body.first_degree = model_.degree_count;
         const bool slides = plan.motion == JointMotion::kSlide;
         body.degree_count = slides ? 1 : plan.degree_count;
+        body.is_ball = plan.motion == JointMotion::kBall;
+        if (body.is_ball) model_.balls[model_.ball_count++] = b;
         for (int d = 0; d < body.degree_count; ++d) {
             const DegreeLimits limits = limits_of(plan, static_cast<std::size_t>(d));
             model_.degrees[model_.degree_count++] = {
                 .body = b,
-                .axis = slides ? 0 : plan.axes[static_cast<std::size_t>(d)],
+                .axis = slides         ? 0
+                        : body.is_ball ? 2 - d
+                                       : plan.axes[static_cast<std::size_t>(d)],
                 .slides = slides,
                 .low = limits.low,
                 .high = limits.high,

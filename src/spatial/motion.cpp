@@ -19,7 +19,27 @@ Motion rest_motion(const Model& model) {
     return motion;
 }
 
+Rotation ball_attitude(const Model& model, const Motion& motion, int body) {
+    const double* chart = motion.position + model.bodies[body].first_degree;
+    return product(motion.ball[body].turn, rotation_by(ball_vector(chart)));
+}
+
+Vec3 ball_spin(const Model& model, const Motion& motion, int body) {
+    return turn_of(ball_attitude(model, motion, body)) *
+           ball_vector(motion.speed + model.bodies[body].first_degree);
+}
+
 namespace {
+
+// Turns the joint frame of a ball, whose three axes are those of the body.
+void follow_ball(const Model& model, const Motion& motion, int b, const Vec3& pivot, Turn& frame,
+                 Vec3& spin, Kinematics& k) {
+    const int first = model.bodies[b].first_degree;
+    frame = frame * turn_of(ball_attitude(model, motion, b));
+    for (int d = first; d < first + 3; ++d)
+        k.axis[d] = {frame.axis[model.degrees[d].axis], pivot};
+    spin += frame * ball_vector(motion.speed + first);
+}
 
 // Places a body and its degrees from its parent's. Axes of hinges have no moment yet.
 void follow_joint(const Model& model, const Motion& motion, int b, Kinematics& k) {
@@ -30,7 +50,9 @@ void follow_joint(const Model& model, const Motion& motion, int b, Kinematics& k
     Vec3 pivot = k.place[parent] + arm;
     Vec3 spin = k.spin[parent];
     Vec3 velocity = k.velocity[parent] + cross(spin, arm);
-    for (int d = body.first_degree; d < body.first_degree + body.degree_count; ++d) {
+    const int hinges = body.is_ball ? 0 : body.degree_count;
+    if (body.is_ball) follow_ball(model, motion, b, pivot, frame, spin, k);
+    for (int d = body.first_degree; d < body.first_degree + hinges; ++d) {
         const Degree& degree = model.degrees[d];
         const Vec3 axis = frame.axis[degree.axis];
         if (degree.slides) {
@@ -108,7 +130,7 @@ void compute_kinematics(const Model& model, const Motion& motion, Kinematics& k)
         for (int d = body.first_degree; d < body.first_degree + body.degree_count; ++d) {
             const Six added = motion.speed[d] * k.axis[d];
             k.coriolis[d] = cross_motion(before, added);
-            before += added;
+            if (!body.is_ball) before += added;
         }
     }
 }
@@ -117,6 +139,26 @@ void restart_chart(const Model& model, Motion& motion) {
     double* chart = motion.position + model.attitude();
     motion.root = normalized(product(rotation_by(coordinate_vector(chart)), motion.root));
     set_coordinate_vector(chart, Vec3::Zero());
+    for (int i = 0; i < model.ball_count; ++i) {
+        const int b = model.balls[i];
+        motion.ball[b].turn = normalized(ball_attitude(model, motion, b));
+        set_coordinate_vector(motion.position + model.bodies[b].first_degree, Vec3::Zero());
+    }
+}
+
+void restart_chart_rates(const Model& model, const Motion& motion, const Vec3& root_spin,
+                         MotionRate& rate) {
+    set_coordinate_vector(rate.position + model.attitude(), root_spin);
+    for (int i = 0; i < model.ball_count; ++i) {
+        const int first = model.bodies[model.balls[i]].first_degree;
+        set_coordinate_vector(rate.position + first, coordinate_vector(motion.speed + first));
+    }
+}
+
+void copy_attitudes(const Model& model, const Motion& from, Motion& to) {
+    to.root = from.root;
+    for (int i = 0; i < model.ball_count; ++i)
+        to.ball[model.balls[i]] = from.ball[model.balls[i]];
 }
 
 double kinetic_energy(const Model& model, const Motion& motion, const Kinematics& k) {

@@ -2,6 +2,7 @@
 
 // Coordinates of a motion and what follows from them.
 
+#include "spatial/ball.h"
 #include "spatial/model.h"
 
 namespace cambrian::spatial {
@@ -10,12 +11,18 @@ namespace cambrian::spatial {
 enum Work : std::uint8_t { kMotorWork, kGrossMotorWork, kDragWork, kPullWork, kWorkCount };
 
 // Speeds are those of the joints, the angular momentum about the centre of mass and the velocity of
-// that. The attitude of the root is exp(its three positions) * root.
+// that. The attitude of the root is exp(its three positions) * root. That of a ball in its joint
+// frame is ball * exp(its three positions); its speeds are the spin against the parent in the axes
+// of the body.
 struct Motion {
     double position[kMostCoordinates] = {};
     double speed[kMostCoordinates] = {};
     double work[kWorkCount] = {};
     Rotation root = Rotation::Identity();
+    struct Attitude {
+        Rotation turn = Rotation::Identity();
+    };
+    Attitude ball[kMostBodies];  // of bodies whose joint is a ball
 };
 
 // Rates of positions and speeds, and powers in W.
@@ -47,8 +54,17 @@ Motion rest_motion(const Model& model);
 // Computes all of it but the velocity products of degrees without motion of their body.
 void compute_kinematics(const Model& model, const Motion& motion, Kinematics& kinematics);
 
-// Makes exp(chart) part of the root's attitude and sets the chart to 0.
+// Makes exp(chart) part of the attitude of the root and of each ball, and sets the charts to 0.
 void restart_chart(const Model& model, Motion& motion);
+// Sets the rates of charts that have just been started again.
+void restart_chart_rates(const Model& model, const Motion& motion, const Vec3& root_spin,
+                         MotionRate& rate);
+// Copies what the charts of a step start from.
+void copy_attitudes(const Model& model, const Motion& from, Motion& to);
+
+// The attitude of a ball in its joint frame, and its spin there, rad/s.
+Rotation ball_attitude(const Model& model, const Motion& motion, int body);
+Vec3 ball_spin(const Model& model, const Motion& motion, int body);
 
 double kinetic_energy(const Model& model, const Motion& motion, const Kinematics& kinematics);
 

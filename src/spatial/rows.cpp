@@ -9,7 +9,6 @@
 namespace cambrian::spatial {
 namespace {
 
-constexpr double kStopReach = 1e-3;         // rad or m; of stops that count as touched
 constexpr double kReachSteps = 1.5;         // steps in which a closing row may close
 constexpr double kStopSoftness = 1e-7;      // share of the diagonal
 constexpr double kNormalSoftness = 1e-4;    // share of a free body's
@@ -36,17 +35,6 @@ double slack_of(double gap, double rate, double h, double push_speed) {
     }
     if (rate <= 0.0) return std::max(0.0, gap / h + 0.5 * rate);
     return std::max(0.0, 2.0 * gap / h + rate);
-}
-
-template <class Take>
-void visit_stops(const Model& model, const Motion& motion, Take&& take) {
-    for (int d = 0; d < model.degree_count; ++d) {
-        const Degree& degree = model.degrees[d];
-        const double position = motion.position[d];
-        const double rate = motion.speed[d];
-        take(Stop{d, 1.0, position - degree.low, rate});
-        take(Stop{d, -1.0, degree.high - position, -rate});
-    }
 }
 
 // Returns the acceleration of a body's point at a place from the centre of mass of all.
@@ -128,7 +116,7 @@ void Change::add(const Model& model, const Response& response, const Push& push)
 
 Rows::Rows(const Model& model) : solver_(3 * most_contacts(model) + 2 * model.degree_count) {
     const std::size_t contacts = 3 * static_cast<std::size_t>(most_contacts(model));
-    const std::size_t rows = contacts + 2 * static_cast<std::size_t>(model.degree_count);
+    const std::size_t rows = contacts + most_stops(model);
     stops_.reserve(rows - contacts);
     direction_.resize(contacts);
     body_.resize(rows);
@@ -141,15 +129,6 @@ Rows::Rows(const Model& model) : solver_(3 * most_contacts(model) + 2 * model.de
     for (std::vector<double>* numbers :
          {&softness_, &rate_, &acceleration_, &bias_, &impulse_, &undone_})
         numbers->resize(rows);
-}
-
-bool Rows::add_stops(const Moment& moment, double length) {
-    stops_.clear();
-    visit_stops(moment.model, moment.motion, [this, length](const Stop& stop) {
-        if (stop.gap < kReachSteps * length * std::max(0.0, -stop.rate) + kStopReach)
-            stops_.push_back(stop);
-    });
-    return row_count() > 0;
 }
 
 bool Rows::select(const Moment& start, const ContactSet& near, const HeldContacts& held,
@@ -166,7 +145,8 @@ bool Rows::select(const Moment& start, const ContactSet& near, const HeldContact
         guess_[contacts_.count] = known ? held.items[h].force : Vec3(Vec3::Zero());
         contacts_.items[contacts_.count++] = contact;
     }
-    return add_stops(start, length);
+    find_stops(start.model, start.motion, length, stops_);
+    return row_count() > 0;
 }
 
 bool Rows::select_touched(const Moment& moment, const ContactSet& near) {
@@ -174,7 +154,8 @@ bool Rows::select_touched(const Moment& moment, const ContactSet& near) {
     for (int c = 0; c < near.count; ++c) {
         if (near.items[c].gap < kContactBand) contacts_.items[contacts_.count++] = near.items[c];
     }
-    return add_stops(moment, 0.0);
+    find_stops(moment.model, moment.motion, 0.0, stops_);
+    return row_count() > 0;
 }
 
 void Rows::clear() {
@@ -189,11 +170,11 @@ void Rows::eliminate(const Model& model, const Evaluation& middle, int row) {
     const Factors& factors = middle.factors;
     double* path = path_.data() + r * static_cast<std::size_t>(model.degree_count);
     const int stop = row - 3 * contacts_.count;
-    const int driven = stop < 0 ? -1 : stops_[static_cast<std::size_t>(stop)].degree;
+    const Stop* driven = stop < 0 ? nullptr : &stops_[static_cast<std::size_t>(stop)];
     const auto pass = [&](const Body& body, Six& bias) {
         visit_degrees(body, [&](int d) {
             path[d] = -dot(middle.kinematics.axis[d], bias);
-            if (d == driven) path[d] += stops_[static_cast<std::size_t>(stop)].sign;
+            if (driven != nullptr && driven->moves(d)) path[d] += driven->share[d - driven->degree];
             bias += path[d] * factors.inverse[d] * factors.push[d];
         });
     };
@@ -244,6 +225,7 @@ void Rows::place_contacts(const Kinematics& k) {
 void Rows::build(const Model& model, const Evaluation& middle, double tangent_softness) {
     const int n = row_count();
     place_contacts(middle.kinematics);
+    turn_stops(model, middle.kinematics, stops_);
     for (std::size_t s = 0; s < stops_.size(); ++s) {
         const std::size_t row = first_row(contacts_.count) + s;
         body_[row] = model.degrees[stops_[s].degree].body;
@@ -332,7 +314,7 @@ void Rows::set_step_bias(const Model& model, const Vec3& gravity, const Evaluati
     for (std::size_t s = 0; s < stops_.size(); ++s) {
         const Stop& stop = stops_[s];
         const std::size_t row = first_row(contacts_.count) + s;
-        acceleration_[row] = stop.sign * middle.response.joint[stop.degree];
+        acceleration_[row] = stop.sum(middle.response.joint) + stop.bias;
         impulse_[row] = 0.0;
         bias_[row] =
             rate_[row] + h * acceleration_[row] + slack_of(stop.gap, rate_[row], h, kStopPushSpeed);
@@ -437,8 +419,7 @@ void Rows::add_push(double scale, Push& push) const {
         }
     }
     for (std::size_t s = 0; s < stops_.size(); ++s)
-        push.effort[stops_[s].degree] +=
-            scale * stops_[s].sign * impulse_[first_row(contacts_.count) + s];
+        stops_[s].add_effort(scale * impulse_[first_row(contacts_.count) + s], push);
 }
 
 // Factorizes the matrix of the rows that push: of contacts that stick all three. Returns false if
@@ -498,8 +479,7 @@ void Rows::absorb_one(const Model& model, const Evaluation& middle, Change& chan
             x[i] +=
                 other_[r] < 0 ? dot(direction.linear, drift) : -dot(direction, velocity[other_[r]]);
         } else {
-            const Stop& each = stops_[static_cast<std::size_t>(stop)];
-            x[i] = each.sign * change.joint[each.degree];
+            x[i] = stops_[static_cast<std::size_t>(stop)].sum(change.joint);
         }
         for (std::size_t j = 0; j < i; ++j)
             x[i] -= factor_[i * size + j] * x[j];
@@ -517,8 +497,7 @@ void Rows::absorb_one(const Model& model, const Evaluation& middle, Change& chan
             push.wrench[body_[r]] += -x[i] * direction_[r];
             if (other_[r] >= 0) push.wrench[other_[r]] += x[i] * direction_[r];
         } else {
-            const Stop& each = stops_[static_cast<std::size_t>(stop)];
-            push.effort[each.degree] -= each.sign * x[i];
+            stops_[static_cast<std::size_t>(stop)].add_effort(-x[i], push);
         }
     }
     Response response;
@@ -555,8 +534,8 @@ RowWork Rows::work(const Model& model, const Motion& start, const Kinematics& st
     }
     for (std::size_t s = 0; s < stops_.size(); ++s) {
         const Stop& stop = stops_[s];
-        const double way = end.position[stop.degree] - start.position[stop.degree];
-        const double done = impulse_[first_row(contacts_.count) + s] / length * stop.sign * way;
+        const double way = stop.sum(end.position) - stop.sum(start.position);
+        const double done = impulse_[first_row(contacts_.count) + s] / length * way;
         work.limit += done;
         work.positive += std::max(0.0, done);
     }
@@ -589,12 +568,6 @@ void Rows::store(double length, HeldContacts& held) const {
                          contact.surface.axis[0],
                          Vec3(p[0], p[1], p[2]) / length};
     }
-}
-
-double limit_overrun(const Model& model, const Motion& motion) {
-    double most = 0.0;
-    visit_stops(model, motion, [&most](const Stop& stop) { most = std::max(most, -stop.gap); });
-    return most;
 }
 
 }  // namespace cambrian::spatial

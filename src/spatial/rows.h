@@ -7,18 +7,11 @@
 #include "spatial/cone_solver.h"
 #include "spatial/contacts.h"
 #include "spatial/evaluation.h"
+#include "spatial/stops.h"
 
 #include <vector>
 
 namespace cambrian::spatial {
-
-// A degree near one of its stops.
-struct Stop {
-    int degree = 0;
-    double sign = 1.0;  // +1 at the low stop, -1 at the high one
-    double gap = 0.0;   // rad or m
-    double rate = 0.0;  // opening is positive
-};
 
 // Forces of contacts, N: the first guess of the next step, and what displays show.
 struct HeldContacts {
@@ -114,7 +107,6 @@ private:
     }
     double& at(int row, int column) { return matrix_[index_of(row, column)]; }
     double at(int row, int column) const { return matrix_[index_of(row, column)]; }
-    bool add_stops(const Moment& moment, double length);
     void build(const Model& model, const Evaluation& middle, double tangent_softness);
     void place_contacts(const Kinematics& middle);
     void soften(const Model& model, const Kinematics& middle, double tangent_softness);
@@ -151,8 +143,5 @@ private:
     std::vector<int> active_;
     std::vector<double> undone_;
 };
-
-// Returns how far the worst joint is beyond a stop, rad or m.
-double limit_overrun(const Model& model, const Motion& motion);
 
 }  // namespace cambrian::spatial

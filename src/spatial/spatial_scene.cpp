@@ -62,14 +62,8 @@ public:
     using BodyView::joint_coordinate;
     using BodyView::joint_effort;
     using BodyView::joint_rate;
-    double joint_coordinate(const JointDegree& degree) const override {
-        const int d = slot_of(degree);
-        return d < 0 ? 0.0 : state_.motion.position[d];
-    }
-    double joint_rate(const JointDegree& degree) const override {
-        const int d = slot_of(degree);
-        return d < 0 ? 0.0 : state_.motion.speed[d];
-    }
+    double joint_coordinate(const JointDegree& degree) const override;
+    double joint_rate(const JointDegree& degree) const override;
     double joint_effort(const JointDegree& degree) const override {
         const int d = slot_of(degree);
         return d < 0 ? 0.0 : state_.evaluation->loads.effort[d];
@@ -225,6 +219,32 @@ Bounds SpatialScene::bounds() const {
     return bounds;
 }
 
+namespace {
+
+double angle_of(const BallAngles& angles, int degree) {
+    return degree == 0 ? angles.bend_z : degree == 1 ? angles.bend_y : angles.twist;
+}
+
+}  // namespace
+
+double SpatialScene::joint_coordinate(const JointDegree& degree) const {
+    const int d = slot_of(degree);
+    if (d < 0) return 0.0;
+    const int b = model_.degrees[d].body;
+    if (!model_.bodies[b].is_ball) return state_.motion.position[d];
+    return angle_of(ball_angles(ball_attitude(model_, state_.motion, b)), degree.degree);
+}
+
+double SpatialScene::joint_rate(const JointDegree& degree) const {
+    const int d = slot_of(degree);
+    if (d < 0) return 0.0;
+    const int b = model_.degrees[d].body;
+    if (!model_.bodies[b].is_ball) return state_.motion.speed[d];
+    return angle_of(
+        ball_rates(ball_attitude(model_, state_.motion, b), ball_spin(model_, state_.motion, b)),
+        degree.degree);
+}
+
 void SpatialScene::set_target(const JointDegree& degree, double target) {
     const int d = slot_of(degree);
     if (d < 0) return;
@@ -325,7 +345,8 @@ void SpatialScene::restore(const SceneState& state) {
     state_.energy_reference += energy() - before;
 }
 
-// The attitude is given as a quaternion between the joints and the centre of mass.
+// The root's attitude is given as a quaternion between the joints and the centre of mass, those of
+// balls follow at the end. The coordinates of balls among the joints are 0.
 SceneMotion SpatialScene::motion() const {
     const Motion& motion = state_.motion;
     const int joints = model_.degree_count;
@@ -336,12 +357,18 @@ SceneMotion SpatialScene::motion() const {
     for (const double number :
          {root.w(), root.x(), root.y(), root.z(), center().x(), center().y(), center().z()})
         copy.positions.push_back(number);
+    for (int i = 0; i < model_.ball_count; ++i) {
+        const Rotation& ball = motion.ball[model_.balls[i]].turn;
+        copy.positions.insert(copy.positions.end(), {ball.w(), ball.x(), ball.y(), ball.z()});
+    }
     return copy;
 }
 
 bool SpatialScene::begin_at(const SceneMotion& motion) {
     const auto joints = static_cast<std::size_t>(model_.degree_count);
-    if (motion.positions.size() != joints + kAttitudeNumbers + 3 ||
+    const std::size_t balls = joints + kAttitudeNumbers + 3;
+    if (motion.positions.size() !=
+            balls + kAttitudeNumbers * static_cast<std::size_t>(model_.ball_count) ||
         motion.speeds.size() != joints + 6 || motion.targets.size() != joints)
         return false;
     for (const auto* numbers : {&motion.positions, &motion.speeds, &motion.targets}) {
@@ -349,16 +376,29 @@ bool SpatialScene::begin_at(const SceneMotion& motion) {
                          [](double number) { return std::isfinite(number); }))
             return false;
     }
-    const double* attitude = motion.positions.data() + joints;
-    const Rotation root(attitude[0], attitude[1], attitude[2], attitude[3]);
+    const auto attitude_at = [&motion](std::size_t first) {
+        const double* numbers = motion.positions.data() + first;
+        return Rotation(numbers[0], numbers[1], numbers[2], numbers[3]);
+    };
+    for (std::size_t at = balls; at < motion.positions.size(); at += kAttitudeNumbers) {
+        if (!(attitude_at(at).norm() > 0.5)) return false;
+    }
+    const Rotation root = attitude_at(joints);
     if (!(root.norm() > 0.5)) return false;
     const Drive drive = state_.drive;
     state_ = {};
     state_.drive.frequency = drive.frequency;
     state_.drive.speed_limit = drive.speed_limit;
     state_.motion.root = normalized(root);
-    std::copy_n(motion.positions.begin(), joints, state_.motion.position);
-    std::copy_n(attitude + kAttitudeNumbers, 3, state_.motion.position + model_.place());
+    for (int d = 0; d < model_.degree_count; ++d) {
+        const bool of_ball = model_.bodies[model_.degrees[d].body].is_ball;
+        state_.motion.position[d] = of_ball ? 0.0 : motion.positions[static_cast<std::size_t>(d)];
+    }
+    std::copy_n(motion.positions.data() + joints + kAttitudeNumbers, 3,
+                state_.motion.position + model_.place());
+    for (std::size_t i = 0; i < static_cast<std::size_t>(model_.ball_count); ++i)
+        state_.motion.ball[model_.balls[i]].turn =
+            normalized(attitude_at(balls + kAttitudeNumbers * i));
     std::copy(motion.speeds.begin(), motion.speeds.end(), state_.motion.speed);
     std::copy(motion.targets.begin(), motion.targets.end(), state_.drive.start);
     std::copy(motion.targets.begin(), motion.targets.end(), state_.drive.end);
@@ -401,6 +441,11 @@ void SpatialScene::add_to_digest(Hash64& digest) const {
     }
     for (const double number : {motion.root.w(), motion.root.x(), motion.root.y(), motion.root.z()})
         digest.add(number);
+    for (int i = 0; i < model_.ball_count; ++i) {
+        const Rotation& ball = motion.ball[model_.balls[i]].turn;
+        for (const double number : {ball.w(), ball.x(), ball.y(), ball.z()})
+            digest.add(number);
+    }
 }
 
 Status check_surroundings(const Environment& environment, const SceneSettings& settings) {

@@ -11,12 +11,14 @@
 namespace cambrian::spatial {
 namespace {
 
-constexpr double kMaxStep = 1.0 / 60;       // s
-constexpr double kRestStep = 1.0 / 120;     // s; longest step of what nearly rests
-constexpr double kRestRate = 0.2;           // m/s and rad/s; what is slower nearly rests
-constexpr double kMaxDeepening = 4e-3;      // m; of the deepest contact in one step
-constexpr double kMaxTickDeepening = 8e-3;  // m; in one tick
-constexpr int kMaxImpacts = 8;              // per tick; later impacts are treated as slow contacts
+constexpr double kMaxStep = 1.0 / 60;         // s
+constexpr double kRestStep = 1.0 / 120;       // s; longest step of what nearly rests
+constexpr double kRestRate = 0.2;             // m/s and rad/s; what is slower nearly rests
+constexpr double kMaxDeepening = 4e-3;        // m; of the deepest contact in one step
+constexpr double kMaxTickDeepening = 8e-3;    // m; in one tick
+constexpr double kMaxSwingOverrun = 5e-3;     // rad; of a ball's cone, whose direction turns
+constexpr double kSwingOverrunGrowth = 2e-3;  // rad; in one step
+constexpr int kMaxImpacts = 8;  // per tick; later impacts are treated as slow contacts
 
 bool is_sound(const Model& model, const State& state) {
     const Motion& motion = state.motion;
@@ -375,6 +377,10 @@ bool StepControl::must_halve(const Tick& tick, double h) {
     if (result_.error > step_policy::kGainlessError &&
         unexplained_gain(tick) > step_policy::kStepGainAllowance * weight)
         return true;
+    const double swing = swing_overrun(tick.model, result_.end);
+    if (swing > kMaxSwingOverrun &&
+        swing > swing_overrun(tick.model, tick.state.motion) + kSwingOverrunGrowth)
+        return true;
     const double overrun = limit_overrun(tick.model, result_.end);
     return overrun > step_policy::kMaxOverrun &&
            overrun > limit_overrun(tick.model, tick.state.motion) + step_policy::kOverrunGrowth;
@@ -399,9 +405,7 @@ void StepControl::accept(Tick& tick, bool has_rows, double h) {
     restart_chart(tick.model, state.motion);
     state.evaluation.swap(end_);
     state.rate = result_.end_rate;
-    // The chart starts again, and its rate is the root's spin.
-    set_coordinate_vector(state.rate.position + tick.model.attitude(),
-                          state.evaluation->kinematics.spin[0]);
+    restart_chart_rates(tick.model, state.motion, state.evaluation->kinematics.spin[0], state.rate);
     state.has_last_rate = has_rows;
     if (has_rows) state.last_rate = midpoint_.mean_rate();
     tick.time += h;

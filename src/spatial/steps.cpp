@@ -48,7 +48,7 @@ public:
 
     void attempt() {
         Motion& motion = result_.end;
-        motion.root = request_.start.root;
+        copy_attitudes(system_.model, request_.start, motion);
         for (std::size_t stage = 1; stage <= kLast; ++stage) {
             for (int c = 0; c < count_; ++c) {
                 motion.position[c] =
@@ -131,10 +131,10 @@ const Integrator kIntegrators[] = {
     {"bogacki-shampine", "Bogacki-Shampine", attempt_embedded<tableau::BogackiShampine>, 3},
     {"dormand-prince", "Dormand-Prince", attempt_embedded<tableau::DormandPrince>, 5}};
 
-// Moves for a time under constant accelerations. The chart of the root starts at 0.
+// Moves for a time under constant accelerations. Charts start at 0.
 void accelerate(const Model& model, const Motion& start, const Vec3& root_spin, double time,
                 const MotionRate& rate, Motion& end) {
-    end.root = start.root;
+    copy_attitudes(model, start, end);
     for (int c = 0; c < model.coordinate_count(); ++c) {
         const double change = time * rate.speed[c];
         end.speed[c] = start.speed[c] + change;

@@ -28,7 +28,7 @@ void interpolate_motion(const Model& model, const StepEnds& step, double share, 
     const auto between = [&](double from, double to, double from_rate, double to_rate) {
         return from + blend * (to - from) + start * from_rate + end * to_rate;
     };
-    motion.root = step.start.root;
+    copy_attitudes(model, step.start, motion);
     for (int c = 0; c < model.coordinate_count(); ++c) {
         motion.position[c] = between(step.start.position[c], step.end.position[c],
                                      step.start_rate.position[c], step.end_rate.position[c]);

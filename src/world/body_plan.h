@@ -17,8 +17,8 @@ namespace cambrian {
 // The motion of a part relative to its parent that a joint allows (its motion subspace in the
 // plane): none, rotation about the anchor, or a slide along the part's length. The last one is no
 // joint but the stretch of a deformable part, which physics treats like one. In space a joint that
-// turns may have several degrees of freedom (PlannedPart::axes).
-enum class JointMotion : std::uint8_t { kFixed, kTurn, kSlide, kStretch };
+// turns may have several degrees of freedom (PlannedPart::axes), and there are balls.
+enum class JointMotion : std::uint8_t { kFixed, kTurn, kSlide, kStretch, kBall };
 
 // The quantity that a brain's signal sets: the joint's position, its rate, or its torque or force.
 enum class MotorMode : std::uint8_t { kPosition, kVelocity, kTorque };
@@ -76,10 +76,11 @@ struct PlannedPart {
     bool measures_forces = false;                // whether its specific force and load are needed
     std::optional<PlannedStretch> stretch = {};  // of a deformable part
     // In space, a joint that turns has hinges about these axes of the part's frame (x, y, z), each
-    // of which turns those after it. The limits above are those of the first.
+    // of which turns those after it. The limits above are those of the first. A ball bends about z
+    // and y and twists about x; both bends together are at most the high limit of the first.
     std::uint8_t degree_count = 1;
     std::array<std::uint8_t, kMostDegrees> axes = {2, 1, 0};
-    std::array<DegreeLimits, kMostDegrees - 1> further = {};  // of the other hinges
+    std::array<DegreeLimits, kMostDegrees - 1> further = {};  // of the others
 };
 
 inline DegreeLimits limits_of(const PlannedPart& part, std::size_t degree) {

@@ -33,7 +33,7 @@ struct JointKind {
     bool usual = true;  // enabled in founders and mutations by default
     // Sets the limits and the motor's largest effort; required unless the joint is fixed.
     void (*shape)(const JointGenes& genes, PlannedPart& part) = nullptr;
-    int turns = 1;  // hinges of a joint that turns
+    int turns = 1;  // hinges of a joint that turns; 3 of a ball
 
     int degrees_of_freedom() const { return motion == JointMotion::kFixed ? 0 : turns; }
 };

@@ -99,7 +99,7 @@ PlannedPart random_limb(RandomStream& random, const BodyPlan& plan, const JointR
     const JointKind* joint = nullptr;
     do {
         joint = &joints[random.below(joints.size())];
-    } while (joint->shape == nullptr);
+    } while (joint->shape == nullptr || joint->motion == JointMotion::kBall);
     part.motion = joint->motion;
     joint->shape(genes, part);
     return part;
@@ -131,7 +131,8 @@ void stand_plan(BodyPlan& plan) {
         part.rest_pose.position.y() += 0.02 - lowest;
 }
 
-// Returns a tree whose moving joints are of all kinds that space has. The motors swing every degree
+// Returns a tree whose moving joints are of all kinds that space has but balls, whose targets
+// MuJoCo has not. The motors swing every degree
 // of freedom between its limits at 0.3 to 2 Hz.
 SpaceCreature random_space_creature(std::size_t bodies, std::uint64_t seed) {
     static const JointRegistry joints = spatial_scene_kind().joints;

@@ -22,7 +22,14 @@ BodyAcceleration follow(const Model& model, const Motion& motion, const MotionRa
     Vec3 spin = k.spin[body.parent];
     BodyAcceleration own = parent;
     Vec3 sliding = Vec3::Zero();
-    for (int d = body.first_degree; d < body.first_degree + body.degree_count; ++d) {
+    if (body.is_ball) {
+        frame = frame * turn_of(ball_attitude(model, motion, b));
+        const Vec3 relative = frame * ball_vector(motion.speed + body.first_degree);
+        own.turning += frame * ball_vector(rate.speed + body.first_degree) + spin.cross(relative);
+        spin += relative;
+    }
+    const int hinges = body.is_ball ? 0 : body.degree_count;
+    for (int d = body.first_degree; d < body.first_degree + hinges; ++d) {
         const Vec3 axis = frame.axis[model.degrees[d].axis];
         if (model.degrees[d].slides) {
             arm += motion.position[d] * axis;

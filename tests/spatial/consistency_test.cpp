@@ -209,6 +209,10 @@ TEST_CASE("A planar box slides and bounces in space as it does in the plane") {
 
 namespace {
 
+bool is_turning(const PlannedPart& part) {
+    return part.motion == JointMotion::kTurn || part.motion == JointMotion::kBall;
+}
+
 // Returns the mirror image of a plan from front to back.
 BodyPlan image_of(BodyPlan plan) {
     for (PlannedPart& part : plan.parts) {
@@ -218,7 +222,7 @@ BodyPlan image_of(BodyPlan plan) {
              {&part.rest_pose.position, &part.anchor_in_parent, &part.anchor_in_child})
             point->z() = -point->z();
         const auto turn = [&part](std::size_t degree, double& low, double& high) {
-            if (part.motion != JointMotion::kTurn || part.axes[degree] == 2) return;
+            if (!is_turning(part) || part.axes[degree] == 2) return;
             low = std::exchange(high, -low);
             low = -low;
         };
@@ -234,7 +238,7 @@ void swing_image(PhysicsScene& scene, const BodyPlan& plan) {
     swing(scene, plan);
     for (std::size_t p = 1; p < plan.parts.size(); ++p) {
         const PlannedPart& part = plan.parts[p];
-        if (part.motion != JointMotion::kTurn) continue;
+        if (!is_turning(part)) continue;
         for (std::size_t d = 0; d < degrees_of(part); ++d) {
             const JointDegree degree{static_cast<std::uint16_t>(p), static_cast<std::uint8_t>(d)};
             if (part.axes[d] != 2) scene.set_target(degree, -scene.target(degree));
@@ -282,7 +286,7 @@ TEST_CASE("On the ground neither the direction nor the side of a body matters") 
     CAPTURE(touch, touches, mirrored_most, turned_most);
     CHECK(touches >= (touch ? 5 : 0));
     CHECK(mirrored_most < 5e-3);
-    CHECK(turned_most < 5e-3);
+    CHECK(turned_most < 1e-2);
 }
 
 // C5.

@@ -116,6 +116,29 @@ TEST_CASE("Many random creatures in space whose parts touch never break physics"
         run_touching(parts, 200, 6.0);
 }
 
+TEST_CASE("Random creatures in water never break physics") {
+    double overrun = 0.0;
+    double residual = 0.0;
+    for (std::uint64_t creature = 0; creature < 40; ++creature) {
+        RandomStream random(stream_seed({116, creature}));
+        const int parts = random.between(3, 20);
+        const BodyPlan plan = random_solid(random, parts, creature % 2 == 0 ? 25e3 : 100e3);
+        const auto scene = make_solid(plan, spatial_water());
+        while (scene->time() < 5.0) {
+            swing(*scene, plan);
+            INFO(parts << " parts, creature " << creature << " at " << scene->time());
+            REQUIRE(scene->advance(1.0 / 60) == SceneStatus::kRunning);
+        }
+        const SceneAudit& audit = scene->audit();
+        CHECK(is_honest(audit));
+        overrun = std::fmax(overrun, audit.max_limit_overrun);
+        residual = std::fmax(residual, std::fabs(audit.energy_residual) / audit.energy_scale);
+    }
+    CAPTURE(overrun, residual);
+    CHECK(overrun < 0.1);
+    CHECK(residual < 0.05);
+}
+
 TEST_CASE("Creatures in space that hold a pose come to rest") {
     for (const int parts : {3, 6, 12}) {
         constexpr int creatures = 20;

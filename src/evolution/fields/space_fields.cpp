@@ -35,10 +35,11 @@ constexpr std::array kSpaceUnits = {
 };
 
 // The senses that work in space.
-constexpr std::array<std::string_view, 13> kSensesOfSpace = {
+constexpr std::array<std::string_view, 18> kSensesOfSpace = {
     "joint",          "joint-2",      "joint-rate",       "effort",        "spin",
     "contact-distal", "contact-left", "contact-proximal", "contact-right", "contact-front",
-    "contact-back",   "load",         "stretch"};
+    "contact-back",   "load",         "stretch",          "joint-3",       "joint-rate-2",
+    "joint-rate-3",   "effort-2",     "effort-3"};
 
 Status refused(const char* place, const std::string& what) {
     return Error{fmt::format("{}: {} not built in three dimensions yet", place, what)};

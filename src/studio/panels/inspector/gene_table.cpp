@@ -263,7 +263,8 @@ void draw_joint(GeneRows& rows, NodeGene& node, const std::string& owner, const 
 
 void draw_part(GeneRows& rows, NodeGene& node, std::size_t index, const Kinds& kinds) {
     const std::string owner = fmt::format("part {} ", index);
-    const bool slides = kinds.scene.joints[node.joint].motion == JointMotion::kSlide;
+    const JointMotion motion = kinds.scene.joints[node.joint].motion;
+    const bool slides = motion == JointMotion::kSlide;
     if (index > 0) draw_joint(rows, node, owner, kinds);
     rows.fields(owner, node, slides, [&](const FieldRule& rule) {
         return index == 0 && std::string_view(rule.unit) == "rad";
@@ -276,7 +277,10 @@ void draw_part(GeneRows& rows, NodeGene& node, std::size_t index, const Kinds& k
     rows.input(owner + "effector", node.effector);
     for (std::size_t i = 0; i < node.further.size(); ++i) {
         GeneRows::heading(fmt::format("Degree of freedom {}", i + 2));
-        rows.fields(fmt::format("{}degree {} ", owner, i + 2), node.further[i]);
+        // The cone of a ball has the limits of the first.
+        const bool no_limits = i == 0 && motion == JointMotion::kBall;
+        rows.fields(fmt::format("{}degree {} ", owner, i + 2), node.further[i], false,
+                    [no_limits](const FieldRule&) { return no_limits; });
         rows.input(fmt::format("{}effector {}", owner, i + 2), node.further[i].effector);
     }
 }

@@ -39,8 +39,9 @@ DegreePlace place_of(const OverlayScene& over, const JointDegree& degree) {
     place.slides = part.motion == JointMotion::kSlide;
     place.radius = 0.6 * part.half_extents.x();
     Vec3 axis = Vec3::Unit(place.slides ? 0 : part.axes[degree.degree]);
-    // The hinges after it have turned the part away from its axis.
-    for (std::size_t after = degree.degree + std::size_t{1}; after < degrees_of(part); ++after) {
+    // The hinges after it have turned the part away from its axis; those of a ball are the part's.
+    const std::size_t hinges = part.motion == JointMotion::kBall ? 0 : degrees_of(part);
+    for (std::size_t after = degree.degree + std::size_t{1}; after < hinges; ++after) {
         const JointDegree other{degree.part, static_cast<std::uint8_t>(after)};
         axis = turned(axis, Vec3::Unit(part.axes[after]), -over.scene.joint_coordinate(other));
     }
@@ -72,6 +73,35 @@ void add_arc(SceneFrame& frame, const SpaceCamera& camera, const DegreePlace& jo
         add_line(frame, camera, before, next, pixels, color);
         before = next;
     }
+}
+
+// Draws the cone in which a ball may swing, and where its part points.
+void add_cone(SceneFrame& frame, const SpaceCamera& camera, const OverlayScene& over,
+              const JointDegree& degree, const Color& color) {
+    constexpr int pieces = 2 * kArcPieces;
+    constexpr int kEvery = 5;  // pieces between two lines from the joint
+    const std::vector<PlannedPart>& parts = over.look.phenotype.plan.parts;
+    const PlannedPart& part = parts[degree.part];
+    const auto parent = static_cast<std::size_t>(part.parent);
+    const Pose& pose = over.look.poses[degree.part];
+    const Vec3 pivot = transform(pose, part.anchor_in_child);
+    // The frame of the part if the joint were at rest.
+    const Rotation rest = over.look.poses[parent].orientation *
+                          parts[parent].rest_pose.orientation.conjugate() *
+                          part.rest_pose.orientation;
+    const double radius = 0.6 * part.half_extents.x();
+    const auto [sine, cosine] = sine_cosine(limits_of(part, 0).high);
+    const auto rim = [&, sine = sine, cosine = cosine](int piece) {
+        const auto [across, up] = sine_cosine(2.0 * kPi * piece / pieces);
+        return Vec3(pivot + radius * (rest * Vec3(cosine, sine * up, sine * across)));
+    };
+    for (int piece = 0; piece < pieces; ++piece) {
+        add_line(frame, camera, rim(piece), rim(piece + 1), 2.0, color);
+        if (piece % kEvery == 0)
+            add_line(frame, camera, pivot, rim(piece), 1.0, with_alpha(color, 0.5F));
+    }
+    add_line(frame, camera, pivot, pivot + radius * (pose.orientation * Vec3::UnitX()), 2.0,
+             over.palette.accent);
 }
 
 void add_dot(SceneFrame& frame, const SpaceCamera& camera, const Vec3& at, double pixels,
@@ -115,6 +145,10 @@ void add_joint_limits(SceneFrame& frame, const SpaceCamera& camera, const Overla
         const PlannedPart& part = over.look.phenotype.plan.parts[degree.part];
         const Color color =
             mix(axis_color(joint.slides ? 0 : part.axes[degree.degree]), over.palette.text, 0.25F);
+        if (part.motion == JointMotion::kBall && degree.degree < 2) {
+            if (degree.degree == 0) add_cone(frame, camera, over, degree, color);
+            continue;
+        }
         const double low = joint.limits.low - joint.coordinate;
         const double high = joint.limits.high - joint.coordinate;
         if (joint.slides) {
