@@ -60,8 +60,8 @@ struct SensorKind {
 using SensorRegistry = Registry<SensorKind>;
 
 SensorRegistry builtin_sensors();
-// Returns those of bodies in space: the same without obstacles, and the senses of further degrees of
-// freedom and of the faces that only they have.
+// Returns those of bodies in space: the same without obstacles, and the senses of further degrees
+// of freedom and of the faces that only they have.
 SensorRegistry spatial_sensors();
 
 }  // namespace cambrian

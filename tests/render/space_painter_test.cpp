@@ -1,9 +1,9 @@
+#include "render/box_mesh.h"
 #include "render/opengl/framebuffer.h"
 #include "render/opengl/offscreen_context.h"
 #include "render/opengl/pixels.h"
 #include "render/orbit_camera.h"
 #include "render/renderer.h"
-#include "render/box_mesh.h"
 
 #include <catch2/catch.hpp>
 
