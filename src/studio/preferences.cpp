@@ -19,7 +19,7 @@
 namespace cambrian {
 namespace {
 
-constexpr std::size_t kMostBytes = 100'000;
+constexpr std::size_t kMostPreferenceBytes = 100'000;
 
 struct Flag {
     const char* name;
@@ -186,7 +186,7 @@ ClusterMemory parse_cluster(std::string_view text) {
 Preferences recall(const std::filesystem::path& folder, const EvolutionKinds& kinds) {
     Preferences remembered;
     if (folder.empty()) return remembered;
-    if (const auto view = read_file(folder / "view.conf", kMostBytes))
+    if (const auto view = read_file(folder / "view.conf", kMostPreferenceBytes))
         remembered.view = parse_view(*view);
     std::error_code unknown;
     if (std::filesystem::exists(settings_in(folder), unknown)) {
@@ -196,15 +196,15 @@ Preferences recall(const std::filesystem::path& folder, const EvolutionKinds& ki
             remembered.fault = set_aside(settings_in(folder), settings.error().message);
         }
     }
-    if (auto path = read_file(folder / "experiment.path", kMostBytes))
+    if (auto path = read_file(folder / "experiment.path", kMostPreferenceBytes))
         remembered.experiment = std::move(*path);
-    if (const auto recent = read_file(folder / "recent.txt", kMostBytes)) {
+    if (const auto recent = read_file(folder / "recent.txt", kMostPreferenceBytes)) {
         std::istringstream lines(*recent);
         for (std::string line; std::getline(lines, line);)
             if (!line.empty() && remembered.recent.size() < kMostRecent)
                 remembered.recent.emplace_back(line);
     }
-    if (const auto cluster = read_file(folder / "cluster.conf", kMostBytes))
+    if (const auto cluster = read_file(folder / "cluster.conf", kMostPreferenceBytes))
         remembered.cluster = parse_cluster(*cluster);
     return remembered;
 }

@@ -93,9 +93,10 @@ public:
         app.add_option("--trace", options_.trace,
                        "File for every part's motion, as CSV with one row per tick (1/60 s)")
             ->type_name(option_type::kTable);
-        app.add_flag("--senses", options_.senses,
-                     "What is left of the score, in trials that no generation uses, if the senses "
-                     "read their best constants, all together and each alone");
+        app.add_flag(
+            "--senses", options_.senses,
+            "Score that is left, in trials that no generation uses, if the senses read their "
+            "best constants, all together and each alone");
         app.add_flag("--json", options_.json, "Output as one JSON object");
     }
     CommandFiles files() const override {

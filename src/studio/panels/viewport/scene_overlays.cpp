@@ -11,7 +11,7 @@
 namespace cambrian {
 namespace {
 
-Vec2 planar(const Vec3& point) {
+Vec2 drawn_point(const Vec3& point) {
     return point.head<2>();
 }
 
@@ -36,7 +36,7 @@ JointPlace place_of(const OverlayScene& over, std::size_t index) {
     const Pose& pose = over.look.poses[index];
     JointPlace place;
     place.pivot =
-        planar(transform(pose, shown_point(part.anchor_in_child, over.look.stretches, index)));
+        drawn_point(transform(pose, shown_point(part.anchor_in_child, over.look.stretches, index)));
     place.radius = std::max(14.0 * over.pixel, 0.6 * part.half_extents.x());
     place.angle = planar_angle(pose);
     place.coordinate = over.scene.joint_coordinate(index);
@@ -64,7 +64,7 @@ void add_lamp(SceneFrame& frame, const OverlayScene& over, std::size_t index) {
     const Vec3 share = kind.spot ? kind.spot(sensor.channel, sensor.handedness) : Vec3::Zero();
     const Vec3 inside = share.cwiseProduct(
         shown_half_extents(over.look.phenotype.plan, over.look.stretches, sensor.part));
-    const Vec2 at = planar(transform(over.look.poses[sensor.part], inside));
+    const Vec2 at = drawn_point(transform(over.look.poses[sensor.part], inside));
     const double reading = over.creature.reading(index, over.scene, over.surroundings);
     const auto light = static_cast<float>(std::clamp(0.5 + 0.5 * reading, 0.0, 1.0));
     const double radius = 4.0 * over.pixel;
@@ -142,9 +142,9 @@ void add_contact_forces(SceneFrame& frame, const OverlayScene& over) {
     over.scene.list_contacts(contacts);
     const double weight = over.scene.mass() * kEarthGravity;
     for (const SceneContact& contact : contacts) {
-        const Vec2 at = planar(contact.point);
+        const Vec2 at = drawn_point(contact.point);
         const double length = kForceLength * std::min(contact.force / weight, 6.0);
-        frame.add_line(at, at + length * planar(contact.normal), 2.0 * over.pixel,
+        frame.add_line(at, at + length * drawn_point(contact.normal), 2.0 * over.pixel,
                        over.palette.accent);
         frame.add_circle(at, 3.5 * over.pixel, over.palette.accent);
     }

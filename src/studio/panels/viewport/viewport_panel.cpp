@@ -301,6 +301,25 @@ void ViewportPanel::handle_poke(const FrameContext& frame, Requests& out) {
     out.ask(PokePart{static_cast<std::size_t>(part), inside, target});
 }
 
+// Adds the ghosts beside the creature and the bodies it contends with.
+void ViewportPanel::add_company(const FrameContext& frame, const CreatureLook& look) {
+    const Playback& playback = frame.viewer.playback;
+    SceneFrame& scene = canvas_.frame;
+    for (const auto& ghost : frame.viewer.ghosts) {
+        CreatureLook pale{ghost->phenotype(), ghost->poses(), {}, ghost->genome().hue, {},
+                          ghost->stretches(), frame.view.look};
+        pale.character.line = line_or_hue(ghost->line(), ghost->genome().hue);
+        pale.character.walks = look.character.walks;
+        add_pale_being(scene, canvas_.camera, pale);
+    }
+    if (playback.trial().bout() != nullptr) {
+        BoutLook bout = bout_look(playback);
+        bout.mode = look.mode;
+        bout.time = look.character.time;
+        add_bout(scene, colors(), canvas_.camera, bout);
+    }
+}
+
 void ViewportPanel::build_scene(const FrameContext& frame) {
     const Playback& playback = frame.viewer.playback;
     const Palette& palette = colors();
@@ -342,19 +361,7 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
         add_small_life(scene, playback.creature().readings().scuffs(), look.character.time,
                        playback.creature().replay().environment());
     if (const FixedBox* wall = playback.trial().wall()) add_stone_wall(scene, *wall);
-    for (const auto& ghost : frame.viewer.ghosts) {
-        CreatureLook pale{ghost->phenotype(), ghost->poses(), {}, ghost->genome().hue, {},
-                          ghost->stretches(), frame.view.look};
-        pale.character.line = line_or_hue(ghost->line(), ghost->genome().hue);
-        pale.character.walks = look.character.walks;
-        add_pale_being(scene, canvas_.camera, pale);
-    }
-    if (playback.trial().bout() != nullptr) {
-        BoutLook bout = bout_look(playback);
-        bout.mode = look.mode;
-        bout.time = look.character.time;
-        add_bout(scene, palette, canvas_.camera, bout);
-    }
+    add_company(frame, look);
     const LightSource& light = surroundings.source();
     if (light.is_on()) {
         const Vec2 place = light.place().head<2>();
