@@ -22,7 +22,7 @@ void randomize(const SettingField& field, ExperimentSettings& settings, RandomSt
         [&](auto* at) {
             using T = std::remove_cvref_t<decltype(*at)>;
             if constexpr (std::is_same_v<T, std::string>) {
-                *at = stream.pick(field.choices);
+                if (!field.choices.empty()) *at = stream.pick(field.choices);
             } else if constexpr (std::is_same_v<T, bool>) {
                 *at = stream.chance(0.5);
             } else {

@@ -34,14 +34,14 @@ TEST_CASE("settings are found by words of their help", "[studio][setting_filter]
     }
 }
 
-TEST_CASE("every setting has a description and a range or choices", "[studio][setting_filter]") {
+TEST_CASE("every setting has a description and a range, choices or a format", "[studio][setting_filter]") {
     ExperimentSettings defaults;
     for (const SettingField& field : setting_fields(test::kinds())) {
         INFO(field.table << "." << field.key);
         CHECK_FALSE(field.label.empty());
         const SettingRef ref = field.at(defaults);
         if (std::holds_alternative<std::string*>(ref)) {
-            CHECK(field.choices.size() > 1);
+            CHECK((field.choices.size() > 1 || !field.format.empty()));
         } else if (!std::holds_alternative<bool*>(ref)) {
             CHECK(field.high > field.low);
         }
