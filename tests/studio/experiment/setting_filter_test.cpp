@@ -34,7 +34,8 @@ TEST_CASE("settings are found by words of their help", "[studio][setting_filter]
     }
 }
 
-TEST_CASE("every setting has a description and a range, choices or a format", "[studio][setting_filter]") {
+TEST_CASE("every setting has a description and a range, choices or a format",
+          "[studio][setting_filter]") {
     ExperimentSettings defaults;
     for (const SettingField& field : setting_fields(test::kinds())) {
         INFO(field.table << "." << field.key);
