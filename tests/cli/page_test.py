@@ -70,7 +70,7 @@ const wait = setInterval(() => {
         self.write("y.html", html.replace("</body>", press + "</body>"))
         done = subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu",
                                "--virtual-time-budget=3000", f"--user-data-dir={self.folder}/b",
-                               "--dump-dom", f"file://{self.folder}/y.html"],
+                               "--dump-dom", f"file://{self.folder}/y.html#recorded"],
                               capture_output=True, text=True, timeout=300)
         self.assertRegex(done.stdout, r"<title>pressed Best and median of each generation. The last, 2")
         self.assertRegex(done.stdout, r'aria-pressed="true">generation 0<')
