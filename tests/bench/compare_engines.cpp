@@ -1,6 +1,7 @@
 // cambrian_bench_engines: runs the same creatures in every engine, interleaved on one thread.
 // Prints CPU time per simulated second, the ratio of each engine's time to ours, and its accuracy.
 
+#include "bench/cell_options.h"
 #include "bench/engine_kinds.h"
 #include "bench/runs.h"
 #include "bench/selection.h"
@@ -23,18 +24,8 @@
 namespace cambrian::bench {
 namespace {
 
-struct Options {
-    std::vector<std::string> engines;    // ids; all if empty
-    std::vector<std::string> workloads;  // ids; all if empty
-    std::vector<std::size_t> bodies = {3, 6, 12, 24};
-    std::size_t creatures = 10;
-    std::size_t rounds = 3;
-    double seconds = 10.0;
-    std::uint64_t seed = 1;
-    bool advance_only = false;
+struct Options : CellOptions {
     std::string csv_path;
-
-    std::size_t ticks() const { return static_cast<std::size_t>(std::lround(seconds / kTestTick)); }
 };
 
 // The figures of one engine for one workload and number of bodies.
@@ -182,19 +173,9 @@ int advance_only(const Options& options) {
 int main(int argc, char** argv) try {
     cambrian::bench::Options options;
     CLI::App app("Times the same creatures in Cambrian's physics, Box2D and MuJoCo");
-    app.add_option("--engine", options.engines,
-                   "cambrian, box2d, box2d-torques, mujoco, mujoco-coarse; all by default");
-    app.add_option("--workload", options.workloads, "air, swim, walk; all by default");
-    app.add_option("--bodies", options.bodies, "bodies a creature");
-    app.add_option("--creatures", options.creatures, "creatures a cell")
-        ->check(CLI::PositiveNumber);
-    app.add_option("--rounds", options.rounds, "rounds; medians are printed")
-        ->check(CLI::PositiveNumber);
-    app.add_option("--seconds", options.seconds, "simulated time of a run, s")
-        ->check(CLI::PositiveNumber);
-    app.add_option("--seed", options.seed, "of the creatures");
+    cambrian::bench::add_cell_options(app, options,
+                                      "cambrian, box2d, box2d-torques, mujoco, mujoco-coarse");
     app.add_option("--csv", options.csv_path, "file to write the table to");
-    app.add_flag("--advance-only", options.advance_only, "run once and measure nothing");
     CLI11_PARSE(app, argc, argv);
     return options.advance_only ? cambrian::bench::advance_only(options)
                                 : cambrian::bench::compare(options);

@@ -2,6 +2,7 @@
 // one thread. Prints CPU time per simulated second and its ratio to ours; count_instructions.sh
 // counts its instructions. Parts do not touch one another.
 
+#include "bench/cell_options.h"
 #include "bench/motor_law.h"
 #include "bench/mujoco_model.h"
 #include "bench/selection.h"
@@ -25,19 +26,6 @@
 
 namespace cambrian::bench {
 namespace {
-
-struct SpaceOptions {
-    std::vector<std::string> engines;    // ids; all if empty
-    std::vector<std::string> workloads;  // ids; all if empty
-    std::vector<std::size_t> bodies = {3, 6, 12, 24};
-    std::size_t creatures = 10;
-    std::size_t rounds = 3;
-    double seconds = 10.0;
-    std::uint64_t seed = 1;
-    bool advance_only = false;
-
-    std::size_t ticks() const { return static_cast<std::size_t>(std::lround(seconds / kTestTick)); }
-};
 
 // ---- Creatures ----
 
@@ -350,7 +338,7 @@ std::vector<SpaceEngineKind> space_engines() {
 namespace {
 
 // Returns the CPU time of one simulated second, in microseconds, as the mean of the creatures.
-double time_engine(const SpaceOptions& options, const SpaceEngineKind& kind,
+double time_engine(const CellOptions& options, const SpaceEngineKind& kind,
                    const std::vector<SpaceCreature>& creatures, const Environment& environment) {
     double seconds = 0.0;
     for (const SpaceCreature& creature : creatures) {
@@ -363,7 +351,7 @@ double time_engine(const SpaceOptions& options, const SpaceEngineKind& kind,
     return micro * seconds / (static_cast<double>(creatures.size()) * options.seconds);
 }
 
-void compare_cell(const SpaceOptions& options, const SpaceWorkload& workload, std::size_t bodies) {
+void compare_cell(const CellOptions& options, const SpaceWorkload& workload, std::size_t bodies) {
     std::vector<SpaceCreature> creatures;
     for (std::size_t i = 0; i < options.creatures; ++i)
         creatures.push_back(random_space_creature(bodies, options.seed + i));
@@ -381,7 +369,7 @@ void compare_cell(const SpaceOptions& options, const SpaceWorkload& workload, st
     std::fflush(stdout);
 }
 
-void compare_all(const SpaceOptions& options) {
+void compare_all(const CellOptions& options) {
     if (!options.advance_only)
         std::printf("%-8s %6s  %-14s %10s %7s\n", "workload", "bodies", "engine", "us/s", "ratio");
     for (const SpaceWorkload& workload : select_kinds(space_workloads(), options.workloads)) {
@@ -394,19 +382,9 @@ void compare_all(const SpaceOptions& options) {
 }  // namespace cambrian::bench
 
 int main(int argc, char** argv) try {
-    cambrian::bench::SpaceOptions options;
+    cambrian::bench::CellOptions options;
     CLI::App app("Times the same creatures in Cambrian's physics of space and in MuJoCo");
-    app.add_option("--engine", options.engines, "cambrian, mujoco, mujoco-coarse; all by default");
-    app.add_option("--workload", options.workloads, "air, swim, walk; all by default");
-    app.add_option("--bodies", options.bodies, "bodies a creature");
-    app.add_option("--creatures", options.creatures, "creatures a cell")
-        ->check(CLI::PositiveNumber);
-    app.add_option("--rounds", options.rounds, "rounds; medians are printed")
-        ->check(CLI::PositiveNumber);
-    app.add_option("--seconds", options.seconds, "simulated time of a run, s")
-        ->check(CLI::PositiveNumber);
-    app.add_option("--seed", options.seed, "of the creatures");
-    app.add_flag("--advance-only", options.advance_only, "run once and print nothing");
+    cambrian::bench::add_cell_options(app, options, "cambrian, mujoco, mujoco-coarse");
     CLI11_PARSE(app, argc, argv);
     cambrian::bench::compare_all(options);
     return EXIT_SUCCESS;
