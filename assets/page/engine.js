@@ -52,7 +52,11 @@ async function startEngine(module) {
     world: (gravity, friction) => e.engine_world(gravity, friction),
     verify: () => JSON.parse(text(e.engine_verify())),
     settings(lines) { put(lines); must(e.engine_settings()); },
-    // A generation: what the engine tells of it, and the file of its best creature.
+    // Goes on with the generation; returns how many trials it needs for that, or 0 if it is evaluated.
+    needs: () => e.engine_needs(),
+    run: trial => text(e.engine_run(trial)),  // its result, for take() of other engines
+    take(trial, result) { put(result); must(e.engine_take(trial)); },
+    // An evaluated generation: what the engine tells of it, and the file of its best creature.
     generation() {
       const said = text(e.engine_generation()), end = said.indexOf('\n');
       return { ...JSON.parse(said.slice(0, end)), file: said.slice(end + 1) };

@@ -264,60 +264,58 @@ function prove() {
 // ---- evolution
 
 const GOALS = { walking: 'walking', jumping: 'jumping', swimming: 'swimming', seeking: 'seeking a lamp', flying: 'flying', escape: 'escaping a wall', 'swimming-3d': 'swimming in space' };
-let running = [];
+let evolving = { workers: [], curve: [] };
 
 function startEvolution() {
-  running.forEach(one => one.worker.terminate());
-  running = [];
+  stopEvolution();
   const seed = Math.round(+$('seed').value) || 0, size = clamp(Math.round(+$('size').value) || 100, 10, 1000);
   const count = clamp(Math.round(+$('workers').value) || 1, 1, 8), goal = $('goal').value;
   const own = goal === 'page' ? page.evolve.settings
     : goal === 'swimming-3d' ? 'environment.dimensions=3\ngoal.behavior=swimming\n' : `goal.behavior=${goal}\n`;
-  let best = -Infinity, waiting = null, since = 0;
+  const asGiven = goal === 'page' && seed === page.evolve.seed && size === page.evolve.size;
+  const one = evolving = { workers: Array.from({ length: count }, newWorker), curve: [], same: true };
+  let best = -Infinity, waiting = null, since = 0, begun = performance.now();
   $('evolve').textContent = 'Stop';
   $('equal').textContent = '';
   $('progress').textContent = 'The first generation …';
-  for (let i = 0; i < count; i++) {
-    const one = { worker: newWorker(), curve: [], seed: seed + i };
-    running.push(one);
-    one.worker.onerror = event => { $('progress').textContent = `The evolution does not run here: ${event.message}`; };
-    one.worker.onmessage = ({ data: told }) => {
-      if (told.error) {
-        $('progress').textContent = told.error;
-        stopEvolution();
-        return;
-      }
-      one.curve.push(told.best);
-      drawCurves();
-      $('progress').textContent = `Generation ${told.generation}, ${size} creatures, seed ${one.seed}: best ${Number(told.best.toPrecision(4))}, median ${Number(told.median.toPrecision(3))}; ` +
-        `${told.trials} trials in ${told.took.toFixed(0)} ms; digest of the population ${told.digest}`;
-      compare(told, one, goal, size);
-      if (told.best > best) {
-        best = told.best;
-        waiting = { file: told.file, generation: told.generation, seed: one.seed };
-      }
-      if (waiting && !held && (!body || performance.now() - since > 4000)) {
-        showChampion(waiting);
-        waiting = null;
-        since = performance.now();
-      }
-      document.body.dataset.generation = told.generation;
-    };
-    one.worker.postMessage({ module, settings: `${own}run.seed=${one.seed}\npopulation.size=${size}\n` });
-  }
+  const tell = told => {
+    if (one !== evolving) return;
+    one.curve.push([told.best, told.median]);
+    drawCurves();
+    $('progress').textContent = `Generation ${told.generation}, ${size} creatures, seed ${seed}: best ${Number(told.best.toPrecision(4))}, median ${Number(told.median.toPrecision(3))}; ` +
+      `${told.trials} trials in ${(performance.now() - begun).toFixed(0)} ms; digest of the population ${told.digest}`;
+    begun = performance.now();
+    if (asGiven) compare(told, one);
+    if (told.best > best) {
+      best = told.best;
+      waiting = { file: told.file, generation: told.generation, seed };
+    }
+    if (waiting && !held && (!body || performance.now() - since > 4000)) {
+      showChampion(waiting);
+      waiting = null;
+      since = performance.now();
+    }
+    document.body.dataset.generation = told.generation;
+  };
+  const fail = error => {
+    if (one !== evolving) return;
+    stopEvolution();
+    $('progress').textContent = `The evolution does not run here: ${error.message}`;
+  };
+  evolveTogether(one.workers, module, `${own}run.seed=${seed}\npopulation.size=${size}\n`, tell, fail);
 }
 
 function stopEvolution() {
-  running.forEach(one => one.worker.terminate());
-  running = [];
+  evolving.workers.forEach(worker => worker.terminate());
+  evolving = { workers: [], curve: evolving.curve };
   $('evolve').textContent = 'Evolve';
 }
 
 // The program that made the page told the digests of its first generations.
-function compare(told, one, goal, size) {
-  const evolve = page.evolve, expected = evolve.digests[told.generation];
-  if (goal !== 'page' || one.seed !== evolve.seed || size !== evolve.size || !expected) return;
-  one.same = (one.same ?? true) && expected === told.digest;
+function compare(told, one) {
+  const expected = page.evolve.digests[told.generation];
+  if (!expected) return;
+  one.same = one.same && expected === told.digest;
   $('equal').textContent = one.same ? `All ${told.generation + 1} generations equal those of the program that made this page.`
     : 'Another evolution than that of the program that made this page.';
   $('equal').style.color = one.same ? 'var(--good)' : 'var(--bad)';
@@ -333,15 +331,16 @@ function showChampion({ file, generation, seed }) {
 }
 
 function drawCurves() {
-  const curve = $('curve'), c = curve.getContext('2d'), all = running.flatMap(one => one.curve), top = Math.max(...all, 1e-9) * 1.08, low = Math.min(...all, 0);
-  curve.width = 2 * curve.clientWidth;
-  curve.height = 180;
-  const length = Math.max(30, ...running.map(one => one.curve.length));
-  running.forEach((one, i) => {
-    c.strokeStyle = oklch(0.13 + 0.17 * i, 0.66, 0.13);
-    c.lineWidth = 4;
+  const plot = $('curve'), c = plot.getContext('2d'), { curve } = evolving, all = curve.flat(), top = Math.max(...all, 1e-9) * 1.08, low = Math.min(...all, 0);
+  const style = getComputedStyle(document.documentElement);
+  plot.width = 2 * plot.clientWidth;
+  plot.height = 180;
+  const length = Math.max(30, curve.length);
+  [['--soft', 2.5], ['--warm', 4]].forEach(([name, thick], i) => {
+    c.strokeStyle = style.getPropertyValue(name);
+    c.lineWidth = thick;
     c.beginPath();
-    one.curve.forEach((v, n) => c[n ? 'lineTo' : 'moveTo'](4 + n * (curve.width - 8) / (length - 1), 174 - 166 * (v - low) / (top - low)));
+    curve.forEach((row, n) => c[n ? 'lineTo' : 'moveTo'](4 + n * (plot.width - 8) / (length - 1), 174 - 166 * (row[1 - i] - low) / (top - low)));
     c.stroke();
   });
 }
@@ -484,8 +483,8 @@ $('save').onclick = () => {
   link.download = `${(JSON.parse(file).name || 'creature').replace(/[^\w-]+/g, '_')}.creature.json`;
   link.click();
 };
-$('evolve').onclick = () => running.length ? stopEvolution() : startEvolution();
-dark.onchange = () => { place = null; if (page.course) drawCourse(); };
+$('evolve').onclick = () => evolving.workers.length ? stopEvolution() : startEvolution();
+dark.onchange = () => { place = null; if (page.course) drawCourse(); if (evolving.curve.length) drawCurves(); };
 
 function choose(number) {
   const made = page.creatures[number];
@@ -541,6 +540,7 @@ function fillGallery() {
     for (const [id, words] of Object.entries({ page: page.evolve.label, ...GOALS })) $('goal').add(new Option(words, id));
     $('size').value = page.evolve.size;
     $('seed').value = page.evolve.seed;
+    $('workers').value = clamp(navigator.hardwareConcurrency || 1, 1, 4);
     if (!page.creatures.length) {
       $('verdict').textContent = 'Whatever evolves here is checked here.';
       startEvolution();

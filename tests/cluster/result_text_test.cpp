@@ -141,6 +141,10 @@ TEST_CASE("a result's text keeps every bit of every field", "[cluster]") {
             CHECK(read->results[slot].genome_hash == unit.results[slot].genome_hash);
             CHECK(bits_of(read->results[slot].result) == bits_of(unit.results[slot].result));
         }
+        const EvaluationResult alone = unit.results.front().result;
+        const Result<EvaluationResult> single = parse_result(result_text(alone));
+        REQUIRE(single);
+        CHECK(bits_of(*single) == bits_of(alone));
     }
 }
 

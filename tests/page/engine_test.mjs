@@ -1,8 +1,9 @@
 // Runs the engine of pages under node: every sample creature gives the score, the digest and the
-// ticks of its file, and an evolution the digests that the program computed.
+// ticks of its file, and an evolution in one or three workers the digests that the program computed.
 //   node engine_test.mjs ENGINE.wasm PAGE.html CREATURE...
 import fs from 'node:fs';
 import vm from 'node:vm';
+import { Worker } from 'node:worker_threads';
 
 const [, , wasm, page, ...creatures] = process.argv;
 const html = fs.readFileSync(page, 'utf8');
@@ -36,15 +37,42 @@ for (const bad of ['', '{', '{"format": "x"}', 'null']) {
   check(said.includes('the creature'), `"${bad}": refused as "${said}"`);
 }
 
-const plan = JSON.parse(inside('page')).evolve, run = await startEngine(module);
-run.settings(plan.settings);
-for (const expected of plan.digests) {
-  const told = run.generation();
-  check(told.digest === expected, `generation ${told.generation}: ${told.digest} instead of ${expected}`);
-  engine.read(told.file);
-  check(engine.verify().same, `the best of generation ${told.generation} is another when read`);
+// The page's own workers, as threads of node.
+const prelude = `const { parentPort } = require('node:worker_threads');
+globalThis.postMessage = data => parentPort.postMessage(data);
+parentPort.on('message', data => onmessage({ data }));
+`;
+function newWorker() {
+  const worker = new Worker(prelude + inside('engine-script') + inside('worker-script'), { eval: true });
+  const shown = { postMessage: data => worker.postMessage(data), end: () => worker.terminate() };
+  worker.on('message', data => shown.onmessage({ data }));
+  worker.on('error', error => shown.onerror(error));
+  return shown;
 }
-console.log(`${plan.digests.length} generations evolved`);
+vm.runInThisContext(inside('population-script') + '\n;globalThis.evolveTogether = evolveTogether;');
+const plan = JSON.parse(inside('page')).evolve;
+for (const count of [1, 3]) {
+  const workers = Array.from({ length: count }, newWorker), generations = [];
+  await new Promise((end, fail) => evolveTogether(workers, module, plan.settings, told => {
+    generations.push(told);
+    if (generations.length === plan.digests.length) end();
+  }, fail));
+  await Promise.all(workers.map(worker => worker.end()));
+  plan.digests.forEach((expected, i) => {
+    const told = generations[i];
+    check(told.generation === i && told.digest === expected,
+      `generation ${i} by ${count} workers: ${told.digest} instead of ${expected}`);
+    engine.read(told.file);
+    check(engine.verify().same, `the best of generation ${i} is another when read`);
+  });
+  console.log(`${plan.digests.length} generations evolved by ${count} workers`);
+}
+const run = await startEngine(module);
+run.settings(plan.settings);
+check(run.needs() > 0, 'no trials are needed');
+let bad = '';
+try { run.take(0, '{"format": "cambrian-one-result"}'); } catch (error) { bad = error.message; }
+check(bad.includes('cambrian-one-result'), `a bad result is refused as "${bad}"`);
 let refused = '';
 try { run.settings('population.size=-3\n'); } catch (error) { refused = error.message; }
 check(refused.includes('population.size'), `a bad setting is refused as "${refused}"`);

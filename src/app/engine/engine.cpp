@@ -4,7 +4,7 @@
 // a zero and stay until the next call.
 
 #include "app/builtin_kinds.h"
-#include "evolution/backends/thread_pool_backend.h"
+#include "app/engine/shared_trials.h"
 #include "evolution/evaluation/trials.h"
 #include "evolution/evolution.h"
 #include "evolution/fields/setting_field.h"
@@ -66,6 +66,7 @@ struct Run {
     std::optional<EvolutionKinds> kinds;
     ExperimentSettings settings;
     std::unique_ptr<Evolution> evolution;
+    std::unique_ptr<SharedTrials> trials;
 };
 
 struct Engine {
@@ -313,16 +314,36 @@ CAMBRIAN_EXPORT(engine_settings) const char* engine_settings() {
         return say(checked.error().message);
     run.evolution = std::make_unique<Evolution>(
         std::make_shared<const ExperimentSettings>(run.settings), *run.kinds);
+    run.trials = std::make_unique<SharedTrials>(*run.kinds);
     return say("");
 }
 
-// Evaluates a generation, tells about it in a line of JSON, which the file of its best creature
+// Goes on with the generation as far as results allow. Returns the number of trials whose results
+// it needs then, or 0 if the generation is evaluated.
+CAMBRIAN_EXPORT(engine_needs) int engine_needs() {
+    Run& run = engine().run;
+    EvaluationProgress progress;
+    if (run.evolution->evaluate(*run.trials, progress, {})) return 0;
+    return static_cast<int>(run.trials->count());
+}
+
+// Runs one of these trials. Returns its result, for engine_take() of others.
+CAMBRIAN_EXPORT(engine_run) const char* engine_run(int index) {
+    return say(engine().run.trials->run(static_cast<std::size_t>(index)));
+}
+
+// Takes the result in the room of a trial that another engine ran. Returns an error, or an empty
+// text.
+CAMBRIAN_EXPORT(engine_take) const char* engine_take(int index) {
+    const std::string result = std::move(engine().text);
+    const Status taken = engine().run.trials->take(static_cast<std::size_t>(index), result);
+    return say(taken ? "" : taken.error().message);
+}
+
+// Tells about an evaluated generation in a line of JSON, which the file of its best creature
 // follows, and breeds the next.
 CAMBRIAN_EXPORT(engine_generation) const char* engine_generation() {
     Run& run = engine().run;
-    const auto backend = make_thread_pool_backend(*run.kinds, 1);
-    EvaluationProgress progress;
-    run.evolution->evaluate(*backend, progress, {});
     const std::vector<IndividualPtr>& population = run.evolution->population();
     const GenerationStatistics& now = run.evolution->history().back();
     const JudgedIndividual best{run.evolution->generation(), population.front(),

@@ -137,6 +137,14 @@ std::string result_text(const EvaluationResult& result) {
     });
 }
 
+Result<EvaluationResult> parse_result(std::string_view text) {
+    constexpr JsonLimits kOneResultLimits{
+        .bytes = kMostResultBytes, .depth = 5, .values = 80 + kMostScores, .keys = 64};
+    return read_message<EvaluationResult>(
+        kOneKind, text, kOneResultLimits,
+        [](JsonReader& reader, EvaluationResult& each) { describe_result(reader, each); });
+}
+
 bool same_result(const EvaluationResult& a, const EvaluationResult& b) {
     return result_text(a) == result_text(b);
 }

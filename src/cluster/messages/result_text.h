@@ -36,8 +36,9 @@ struct UnitResult {
 std::string write_unit_result(const UnitResult& result);
 Result<UnitResult> parse_unit_result(std::string_view text);
 
-// Writes a single result.
+// Write and read a single result.
 std::string result_text(const EvaluationResult& result);
+Result<EvaluationResult> parse_result(std::string_view text);
 // Compares every bit, through the texts.
 bool same_result(const EvaluationResult& a, const EvaluationResult& b);
 

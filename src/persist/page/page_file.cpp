@@ -202,7 +202,7 @@ Result<std::string> packed(const std::filesystem::path& path) {
 Result<std::string> make_page(const PageContent& content, const PageParts& parts,
                               const EvolutionKinds& kinds) {
     std::map<std::string, std::string, std::less<>> texts;
-    for (const char* script : {"engine.js", "worker.js", "body.js", "places.js", "page.js"}) {
+    for (const char* script : {"engine.js", "worker.js", "population.js", "body.js", "places.js", "page.js"}) {
         Result<std::string> text = read_file(parts.folder / script, kMaxPart);
         if (!text) return text.error();
         texts[script] = std::move(*text);
