@@ -24,8 +24,29 @@ void list_boxes(const SpaceFrame& frame, ShadingBoxes& boxes) {
     }
 }
 
+namespace {
+
+// Returns the places of the wanted solids in the frame, in the order in which they are drawn.
+std::vector<std::size_t> solids_in_order(const SpaceFrame& frame, SolidsWanted wanted, bool inked) {
+    const bool opaque = wanted == SolidsWanted::kOpaque;
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < frame.solids.size(); ++i) {
+        const Solid& solid = frame.solids[i];
+        if ((solid.fill.a >= 1.0F) == opaque && solid.inked == inked) order.push_back(i);
+    }
+    const auto nearness = [&frame](std::size_t solid) {
+        return (frame.solids[solid].pose.position - frame.camera.target).dot(frame.camera.back);
+    };
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return opaque ? nearness(a) > nearness(b) : nearness(a) < nearness(b);
+    });
+    return order;
+}
+
+}  // namespace
+
 std::vector<SolidInstance> instances_of(const SpaceFrame& frame, const ShadingBoxes& shading,
-                                        bool opaque, bool inked) {
+                                        SolidsWanted wanted, bool inked) {
     std::vector<SolidInstance> instances;
     const Vec3 sun = frame.light.direction.normalized();
     struct Neighbour {
@@ -33,9 +54,8 @@ std::vector<SolidInstance> instances_of(const SpaceFrame& frame, const ShadingBo
         std::size_t box;
     };
     std::vector<Neighbour> neighbours;
-    for (std::size_t i = 0; i < frame.solids.size(); ++i) {
+    for (const std::size_t i : solids_in_order(frame, wanted, inked)) {
         const Solid& solid = frame.solids[i];
-        if ((solid.fill.a >= 1.0F) != opaque || solid.inked != inked) continue;
         SolidInstance instance{};
         const auto turn = solid.pose.orientation.toRotationMatrix();
         const Floats3 at = floats(solid.pose.position - frame.camera.target);

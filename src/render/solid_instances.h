@@ -45,8 +45,11 @@ struct ShadingBoxes {
 
 void list_boxes(const SpaceFrame& frame, ShadingBoxes& boxes);
 
-// Returns the solids that are opaque or not, and outlined or not.
+enum class SolidsWanted : unsigned char { kOpaque, kSeeThrough };
+
+// Returns the solids of a kind that are outlined or not: opaque ones from near to far, those that
+// one sees through from far to near.
 std::vector<SolidInstance> instances_of(const SpaceFrame& frame, const ShadingBoxes& shading,
-                                        bool opaque, bool inked);
+                                        SolidsWanted wanted, bool inked);
 
 }  // namespace cambrian

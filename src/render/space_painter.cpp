@@ -21,7 +21,15 @@ constexpr double kFarPlane = 400.0;
 constexpr double kFloorReach = 120.0;  // distances of the target
 constexpr double kPenumbra = 0.30;     // width of a shadow's edge, in metres a metre of its height
 
-enum : std::size_t { kSky, kFloor, kShadow, kSolid, kInk, kMark, kSmooth };  // places of shaders
+// Places of shaders. There is one of the floor for each set of its features, and one of solids for
+// each pattern.
+enum : std::size_t { kSky, kShadow, kShaded, kInk, kMark, kSmooth, kFloor };
+constexpr std::size_t kGrainy = 1;
+constexpr std::size_t kRippled = 2;
+constexpr std::size_t kLined = 4;
+constexpr std::size_t kFloors = 8;
+constexpr std::size_t kSolid = kFloor + kFloors;
+constexpr std::size_t kSolids = static_cast<std::size_t>(kSkinPatterns);
 
 void give(const Shader& shader, const char* name, const Floats3& value) {
     glUniform3f(shader.uniform(name), value[0], value[1], value[2]);
@@ -69,6 +77,15 @@ struct SpacePainter::Footprint {
     }
 };
 
+// A part of the picture, and where the picture's lower left corner is in the framebuffer.
+struct SpacePainter::Place {
+    int x = 0;
+    int y = 0;
+    PixelRect part;
+
+    void use() const { glScissor(x + part.x, y + part.y, part.width, part.height); }
+};
+
 // The camera with places relative to its target.
 struct SpacePainter::Seen {
     SpaceCamera camera;
@@ -106,32 +123,61 @@ struct SpacePainter::Seen {
         view[15] = static_cast<float>(camera.distance());
     }
     double pixel() const { return 1.0 / (camera.pixels_per_metre * camera.distance()); }
+    int rows_of_floor(const SpaceFloor* floor, const Vec3& target) const;
 };
+
+// Returns below which row of the picture there is nothing but floor.
+int SpacePainter::Seen::rows_of_floor(const SpaceFloor* floor, const Vec3& target) const {
+    const double rise = camera.back.y();
+    const double over_floor = floor != nullptr ? eye.y() - floor->height + target.y() : 0.0;
+    if (over_floor <= 0.0 || std::fabs(rise) >= 0.9) return 0;
+    const double focal = camera.pixels_per_metre * camera.distance();
+    const double level = std::sqrt(1.0 - rise * rise);
+    const double horizon = 0.5 * height + focal * rise / level;
+    // The floor ends a little below the horizon.
+    const double gap = focal * over_floor / (kFloorReach * camera.distance());
+    return static_cast<int>(
+        std::clamp(horizon - 4.0 - 2.0 * gap / (level * level), 0.0, 1.0 * height));
+}
 
 Result<SpacePainter> SpacePainter::create() {
     using namespace space_shader;
     std::vector<Shader> shaders;
-    const auto add = [&shaders](Result<Shader> shader) -> Status {
-        if (!shader) return shader.error();
-        shaders.push_back(std::move(*shader));
-        return {};
+    Status well;
+    const auto add = [&](Result<Shader> shader) {
+        if (shader) {
+            shaders.push_back(std::move(*shader));
+        } else if (well) {
+            well = shader.error();
+        }
     };
-    for (const Status& status : {add(compile({kSkyVertex}, {kAround, kSkyFragment})),
-                                 add(compile({kFloorVertex}, {kAround, kFloorFragment})),
-                                 add(compile({kShadowVertex}, {kBoxes, kShadowFragment})),
-                                 add(compile({kSolidVertex}, {kAround, kBoxes, kSolidFragment})),
-                                 add(compile({kSolidVertex}, {kAround, kInkFragment})),
-                                 add(compile({kMarkVertex}, {kMarkFragment})),
-                                 add(compile({kShadowVertex}, {kSmoothFragment}))}) {
-        if (!status) return status.error();
+    add(compile({kSkyVertex}, {kAround, kSkyFragment}));
+    add(compile({kShadowVertex}, {kBoxes, kShadowFragment}));
+    add(compile({kShadedVertex}, {kAround, kShadedFragment}));
+    add(compile({kSolidVertex}, {kAround, kInkFragment}));
+    add(compile({kMarkVertex}, {kMarkFragment}));
+    add(compile({kShadowVertex}, {kSmoothFragment}));
+    for (std::size_t features = 0; features < kFloors; ++features) {
+        const auto given = [features](std::size_t feature, const char* name) {
+            return (features & feature) != 0 ? name : "";
+        };
+        add(compile({kFloorVertex},
+                    {given(kGrainy, "#define GRAIN\n"), given(kRippled, "#define RIPPLES\n"),
+                     given(kLined, "#define LINES\n"), kAround, kFloorFragment}));
     }
+    for (std::size_t pattern = 0; pattern < kSolids; ++pattern) {
+        const std::string given = "#define PATTERN " + std::to_string(pattern) + "\n";
+        add(compile({kSolidVertex}, {given.c_str(), kAround, kBoxes, kSolidFragment}));
+    }
+    if (!well) return well.error();
     return SpacePainter(std::move(shaders));
 }
 
 SpacePainter::SpacePainter(std::vector<Shader> shaders)
     : shaders_(std::move(shaders)), objects_(std::make_unique<SpaceBuffers>()) {
-    for (const std::size_t user : {kShadow, kSolid})
-        shaders_[user].use_block("Boxes", 0);
+    shaders_[kShadow].use_block("Boxes", 0);
+    for (std::size_t pattern = 0; pattern < kSolids; ++pattern)
+        shaders_[kSolid + pattern].use_block("Boxes", 0);
 }
 
 SpacePainter::~SpacePainter() = default;
@@ -197,7 +243,7 @@ void SpacePainter::draw_shadow(const SpaceFrame& frame, const Seen& seen) {
     objects_->draw_cover();
 }
 
-void SpacePainter::draw_around(const SpaceFrame& frame, const Seen& seen) {
+void SpacePainter::draw_around(const SpaceFrame& frame, const Seen& seen, const Place& place) {
     const Shader& shader = shaders_[kSky];
     shader.use();
     give_around(shader, frame, seen.eye, seen.sun);
@@ -212,33 +258,27 @@ void SpacePainter::draw_around(const SpaceFrame& frame, const Seen& seen) {
     }
     glUniformMatrix3fv(shader.uniform("look"), 1, GL_FALSE, look.data());
     // Above a floor, only what is over the horizon is seen.
-    const double rise = seen.camera.back.y();
-    const double over_floor =
-        frame.floor ? seen.eye.y() - frame.floor->height + frame.camera.target.y() : 0.0;
-    if (over_floor > 0.0 && std::fabs(rise) < 0.9) {
-        const double focal = seen.camera.pixels_per_metre * seen.camera.distance();
-        const double level = std::sqrt(1.0 - rise * rise);
-        const double horizon = 0.5 * seen.height + focal * rise / level;
-        // The floor ends a little below it.
-        const double gap = focal * over_floor / (kFloorReach * seen.camera.distance());
-        const double most = seen.height;
-        const int low =
-            static_cast<int>(std::clamp(horizon - 4.0 - 2.0 * gap / (level * level), 0.0, most));
-        glScissor(0, low, seen.width, seen.height - low);
-    }
+    const int low = seen.rows_of_floor(frame.floor ? &*frame.floor : nullptr, frame.camera.target);
+    const PixelRect& part = place.part;
+    const int from = std::clamp(low, part.y, part.y + part.height);
+    glScissor(place.x + part.x, place.y + from, part.width, part.y + part.height - from);
     objects_->draw_cover();
-    glScissor(0, 0, seen.width, seen.height);
+    place.use();
 }
 
 void SpacePainter::draw_floor(const SpaceFrame& frame, const Seen& seen) {
     const SpaceFloor& floor = *frame.floor;
-    const Shader& shader = shaders_[kFloor];
+    const std::size_t features = (floor.grain > 0.0F ? kGrainy : 0) |
+                                 (floor.ripples > 0.0F ? kGrainy | kRippled : 0) |
+                                 (floor.lines.a > 0.0F ? kLined : 0);
+    const Shader& shader = shaders_[kFloor + features];
     shader.use();
     give_around(shader, frame, seen.eye, seen.sun);
     give(shader, "view", seen.view);
     glUniform2f(shader.uniform("middle"), static_cast<float>(seen.eye.x()),
                 static_cast<float>(seen.eye.z()));
-    give(shader, "height", floor.height - frame.camera.target.y());
+    const double height = floor.height - frame.camera.target.y();
+    give(shader, "height", height);
     give(shader, "reach", kFloorReach * seen.camera.distance());
     give(shader, "base", floor.color);
     give(shader, "lines",
@@ -252,59 +292,109 @@ void SpacePainter::draw_floor(const SpaceFrame& frame, const Seen& seen) {
     give(shader, "surface",
          std::array{static_cast<double>(floor.grain), static_cast<double>(floor.ripples), drift,
                     std::fmod(0.6 * drift, 1.0)});
-    const bool shaded = !seen.foot.empty();
-    give(shader, "shade", shaded ? static_cast<double>(floor.shade) : 0.0);
-    if (shaded)
-        give(shader, "area",
-             std::array{seen.foot.low.x(), seen.foot.low.y(), 1.0 / seen.foot.size().x(),
-                        1.0 / seen.foot.size().y()});
     give(shader, "grain", 1);
-    give(shader, "shadow", 0);
     glActiveTexture(GL_TEXTURE1);
     glBindTexture(GL_TEXTURE_2D, objects_->grain());
-    shadow_->bind_to_sample();
+    glActiveTexture(GL_TEXTURE0);
     objects_->draw_strip();
+    if (seen.foot.empty()) return;
+    const Shader& shaded = shaders_[kShaded];
+    shaded.use();
+    give_around(shaded, frame, seen.eye, seen.sun);
+    give(shaded, "view", seen.view);
+    give(shaded, "height", height);
+    give(shaded, "shade", static_cast<double>(floor.shade));
+    give(shaded, "area",
+         std::array{seen.foot.low.x(), seen.foot.low.y(), seen.foot.size().x(),
+                    seen.foot.size().y()});
+    give(shaded, "shadow", 0);
+    shadow_->bind_to_sample();
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
+    objects_->draw_strip();
+    glDisable(GL_BLEND);
 }
 
-void SpacePainter::draw_solids(const SpaceFrame& frame, const Seen& seen) {
+void SpacePainter::draw_scenery(const SpaceFrame& frame, const Seen& seen, const Place& place) {
+    place.use();
+    draw_around(frame, seen, place);
+    if (frame.floor) draw_floor(frame, seen);
+}
+
+void SpacePainter::prepare(const Shader& shader, const SpaceFrame& frame, const Seen& seen,
+                           double grow) const {
+    shader.use();
+    give_around(shader, frame, seen.eye, seen.sun);
+    give(shader, "view", seen.view);
+    const Vec3& back = seen.camera.back;
+    give(shader, "grow", std::array{grow, back.x(), back.y(), back.z()});
+    give(shader, "key", frame.light.key);
+    give(shader, "above", frame.light.above);
+    give(shader, "below", frame.light.below);
+    give(shader, "dimness", frame.light.dimness);
+    give(shader, "ink", static_cast<double>(frame.ink));
+}
+
+// Draws solids in their order, together those that follow one another with the same pattern.
+void SpacePainter::draw_runs(std::span<const SolidInstance> instances, const SpaceFrame& frame,
+                             const Seen& seen) {
+    while (!instances.empty()) {
+        const float pattern = instances.front().look[0];
+        const auto end =
+            std::find_if(instances.begin(), instances.end(),
+                         [pattern](const SolidInstance& each) { return each.look[0] != pattern; });
+        const auto count = static_cast<std::size_t>(end - instances.begin());
+        prepare(shaders_[kSolid + static_cast<std::size_t>(pattern)], frame, seen, 0.0);
+        objects_->fill(instances.first(count));
+        objects_->draw_solids(count);
+        instances = instances.subspan(count);
+    }
+}
+
+// Nearer solids are drawn before those that they hide.
+void SpacePainter::draw_opaque(const SpaceFrame& frame, const Seen& seen) {
+    for (const bool inked : {false, true}) {
+        const std::vector<SolidInstance> instances =
+            instances_of(frame, boxes_, SolidsWanted::kOpaque, inked);
+        draw_runs(instances, frame, seen);
+        if (!inked || instances.empty() || frame.outline <= 0.0) continue;
+        prepare(shaders_[kInk], frame, seen, frame.outline * frame.samples * seen.pixel());
+        glCullFace(GL_FRONT);
+        objects_->fill(instances);
+        objects_->draw_solids(instances.size());
+        glCullFace(GL_BACK);
+    }
+}
+
+// Draws the solids and marks, and the scenery where they do not hide it.
+void SpacePainter::draw_busy(const SpaceFrame& frame, const Seen& seen, const Place& place) {
+    place.use();
+    const Color& ground = frame.light.around[2];
+    glClearColor(ground.r * frame.ink, ground.g * frame.ink, ground.b * frame.ink, 0.0F);
+    glClear(frame.clear ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
     glCullFace(GL_BACK);
-    const auto prepare = [&](const Shader& shader, double grow) {
-        shader.use();
-        give_around(shader, frame, seen.eye, seen.sun);
-        give(shader, "view", seen.view);
-        const Vec3& back = seen.camera.back;
-        give(shader, "grow", std::array{grow, back.x(), back.y(), back.z()});
-    };
-    const Shader& solid = shaders_[kSolid];
-    prepare(solid, 0.0);
-    give(solid, "key", frame.light.key);
-    give(solid, "above", frame.light.above);
-    give(solid, "below", frame.light.below);
-    give(solid, "dimness", frame.light.dimness);
-    const auto draw = [&](bool opaque, bool inked) {
-        const std::vector<SolidInstance> instances = instances_of(frame, boxes_, opaque, inked);
-        if (instances.empty()) return std::size_t{0};
-        objects_->fill(instances);
-        objects_->draw_solids(instances.size());
-        return instances.size();
-    };
-    draw(true, false);
-    if (const std::size_t count = draw(true, true); count > 0 && frame.outline > 0.0) {
-        prepare(shaders_[kInk], frame.outline * frame.samples * seen.pixel());
-        give(shaders_[kInk], "ink", static_cast<double>(frame.ink));
-        glCullFace(GL_FRONT);
-        objects_->draw_solids(count);
-        glCullFace(GL_BACK);
+    draw_opaque(frame, seen);
+    glDisable(GL_CULL_FACE);
+    if (!frame.clear) {
+        glDepthMask(GL_FALSE);
+        glDepthRange(1.0, 1.0);  // behind all solids
+        draw_scenery(frame, seen, place);
+        glDepthRange(0.0, 1.0);
+        glDepthMask(GL_TRUE);
     }
     glEnable(GL_BLEND);
-    solid.use();
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glEnable(GL_CULL_FACE);
     for (const bool inked : {false, true})
-        draw(false, inked);
+        draw_runs(instances_of(frame, boxes_, SolidsWanted::kSeeThrough, inked), frame, seen);
     glDisable(GL_CULL_FACE);
+    draw_marks(frame, seen);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
 }
 
 void SpacePainter::draw_marks(const SpaceFrame& frame, const Seen& seen) {
@@ -329,17 +419,10 @@ void SpacePainter::draw_marks(const SpaceFrame& frame, const Seen& seen) {
     glDepthMask(GL_TRUE);
 }
 
-void SpacePainter::copy_out(const SpaceFrame& frame, const Seen& seen, const PixelRect& target) {
-    picture_->bind_to_copy();
-    if (frame.samples > 1) {
-        glBlitFramebuffer(0, 0, seen.width, seen.height, target.x, target.y,
-                          target.x + target.width, target.y + target.height, GL_COLOR_BUFFER_BIT,
-                          GL_LINEAR);
-        return;
-    }
-    glBlitFramebuffer(0, 0, seen.width, seen.height, target.x, target.y, target.x + target.width,
-                      target.y + target.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    // The rectangle of the solids is copied once more, with smooth edges.
+namespace {
+
+// Returns the pixels of a picture, from its lower left corner, in which its solids are.
+PixelRect pixels_of_solids(const SpaceFrame& frame, const PixelRect& target) {
     Vec2 low = Vec2::Constant(1e9);
     Vec2 high = Vec2::Constant(-1e9);
     for (const Solid& solid : frame.solids) {
@@ -357,20 +440,44 @@ void SpacePainter::copy_out(const SpaceFrame& frame, const Seen& seen, const Pix
     const int right = whole(std::ceil(high.x()), target.width);
     const int foot = whole(std::floor(target.height - high.y()), target.height);
     const int top = whole(std::ceil(target.height - low.y()), target.height);
-    if (left >= right || foot >= top) return;
-    glViewport(target.x + left, target.y + foot, right - left, top - foot);
+    return {left, foot, std::max(0, right - left), std::max(0, top - foot)};
+}
+
+// Returns what a rectangle leaves of a picture around it.
+std::array<PixelRect, 4> around_it(const PixelRect& hole, int width, int height) {
+    const int right = hole.x + hole.width;
+    const int top = hole.y + hole.height;
+    return {PixelRect{0, 0, width, hole.y}, PixelRect{0, top, width, height - top},
+            PixelRect{0, hole.y, hole.x, hole.height},
+            PixelRect{right, hole.y, width - right, hole.height}};
+}
+
+}  // namespace
+
+// Copies part of the picture, with smooth edges.
+void SpacePainter::copy_out(const SpaceFrame& frame, const Seen& seen, const Place& place) {
+    const PixelRect& part = place.part;
+    if (frame.samples > 1 || frame.clear) {
+        picture_->bind_to_copy();
+        const int width = part.width / frame.samples;
+        const int height = part.height / frame.samples;
+        glBlitFramebuffer(0, 0, seen.width, seen.height, place.x, place.y, place.x + width,
+                          place.y + height, GL_COLOR_BUFFER_BIT,
+                          frame.samples > 1 ? GL_LINEAR : GL_NEAREST);
+    }
+    if (frame.samples > 1) return;
+    glViewport(place.x + part.x, place.y + part.y, part.width, part.height);
     const Shader& shader = shaders_[kSmooth];
     shader.use();
-    const double across = 1.0 / picture_->width();
-    const double along = 1.0 / picture_->height();
-    glUniform2f(shader.uniform("pixel"), static_cast<float>(across), static_cast<float>(along));
-    give(shader, "area",
-         std::array{left * across, foot * along, (right - left) * across, (top - foot) * along});
+    glUniform2f(shader.uniform("pixel"), 1.0F / static_cast<float>(picture_->width()),
+                1.0F / static_cast<float>(picture_->height()));
+    glUniform2i(shader.uniform("corner"), place.x, place.y);
     give(shader, "picture", 0);
     picture_->bind_to_sample();
     objects_->draw_cover();
 }
 
+// The solids are drawn into a picture of their own, all else straight into the target.
 void SpacePainter::draw(const SpaceFrame& frame, const PixelRect& target) {
     if (target.width < 1 || target.height < 1) return;
     Seen seen(frame, target);
@@ -387,26 +494,28 @@ void SpacePainter::draw(const SpaceFrame& frame, const PixelRect& target) {
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
     if (!seen.foot.empty()) draw_shadow(frame, seen);
-    picture_->bind_to_draw();
-    glViewport(0, 0, seen.width, seen.height);
+    const bool all = frame.samples > 1 || frame.clear;
+    const PixelRect busy =
+        all ? PixelRect{0, 0, seen.width, seen.height} : pixels_of_solids(frame, target);
     glEnable(GL_SCISSOR_TEST);
-    glScissor(0, 0, seen.width, seen.height);
-    const Color& ground = frame.light.around[2];
-    glClearColor(ground.r * frame.ink, ground.g * frame.ink, ground.b * frame.ink, 0.0F);
-    glClear(frame.clear ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_DEPTH_BUFFER_BIT);
-    if (!frame.clear) {
-        draw_around(frame, seen);
-        if (frame.floor) draw_floor(frame, seen);
+    if (busy.width > 0 && busy.height > 0) {
+        picture_->bind_to_draw();
+        glViewport(0, 0, seen.width, seen.height);
+        // Smoothing looks at the pixels beside each.
+        draw_busy(frame, seen, {0, 0, {busy.x - 2, busy.y - 2, busy.width + 4, busy.height + 4}});
     }
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    draw_solids(frame, seen);
-    glEnable(GL_BLEND);
-    draw_marks(frame, seen);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_BLEND);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(before));
+    glViewport(target.x, target.y, target.width, target.height);
+    for (const PixelRect& part : around_it(busy, seen.width, seen.height)) {
+        if (part.width <= 0 || part.height <= 0) continue;
+        draw_scenery(frame, seen, {target.x, target.y, part});
+        glEnable(GL_BLEND);
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        draw_marks(frame, seen);
+        glDisable(GL_BLEND);
+    }
     glScissor(target.x, target.y, target.width, target.height);
-    copy_out(frame, seen, target);
+    if (busy.width > 0 && busy.height > 0) copy_out(frame, seen, {target.x, target.y, busy});
     glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(before));
 }
 

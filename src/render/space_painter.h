@@ -12,6 +12,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace cambrian {
@@ -31,16 +32,23 @@ public:
 private:
     struct Footprint;
     struct Seen;
+    struct Place;
 
     explicit SpacePainter(std::vector<Shader> shaders);
     bool make_room(int width, int height);
     Footprint footprint_of(const SpaceFrame& frame) const;
     void draw_shadow(const SpaceFrame& frame, const Seen& seen);
-    void draw_around(const SpaceFrame& frame, const Seen& seen);
+    void draw_around(const SpaceFrame& frame, const Seen& seen, const Place& place);
     void draw_floor(const SpaceFrame& frame, const Seen& seen);
-    void draw_solids(const SpaceFrame& frame, const Seen& seen);
+    void draw_scenery(const SpaceFrame& frame, const Seen& seen, const Place& place);
+    void prepare(const Shader& shader, const SpaceFrame& frame, const Seen& seen,
+                 double grow) const;
+    void draw_runs(std::span<const SolidInstance> instances, const SpaceFrame& frame,
+                   const Seen& seen);
+    void draw_opaque(const SpaceFrame& frame, const Seen& seen);
+    void draw_busy(const SpaceFrame& frame, const Seen& seen, const Place& place);
     void draw_marks(const SpaceFrame& frame, const Seen& seen);
-    void copy_out(const SpaceFrame& frame, const Seen& seen, const PixelRect& target);
+    void copy_out(const SpaceFrame& frame, const Seen& seen, const Place& place);
 
     std::vector<Shader> shaders_;
     std::unique_ptr<SpaceBuffers> objects_;

@@ -59,43 +59,69 @@ void main() {
     gl_Position = view * vec4(place, 1.0);
 }
 )";
+// What a software renderer does not run must not be in the source, so there is a shader for each
+// set of GRAIN, RIPPLES and LINES.
 inline constexpr const char* kFloorFragment = R"(
 in vec3 place;
 uniform vec3 base;
 uniform vec4 lines;
 uniform vec2 origin;      // of the grid
 uniform vec4 surface;     // grain, ripples, their shifts
-uniform vec4 area;        // of the shadow: low corner and one over its size
-uniform float shade;
 uniform sampler2D grain;
-uniform sampler2D shadow;
 out vec4 color;
 void main() {
     vec2 at = place.xz - origin;
     vec3 paint = base;
-    if (surface.x > 0.0) {
-        float fine = texture(grain, at * 0.47).r;
-        float coarse = surface.y > 0.0 ? texture(grain, at * 0.11).r : fine;
-        paint *= 1.0 + surface.x * (fine + coarse - 1.0);
-    }
-    if (surface.y > 0.0) {
-        float one = texture(grain, at * 0.21 + surface.zw).g;
-        float other = texture(grain, at * 0.26 - surface.wz).g;
-        paint *= 1.0 + surface.y * (2.6 * min(one, other) - 0.35);
-    }
-    if (lines.a > 0.0) {
-        vec2 wide = fwidth(at);
-        vec2 away = abs(fract(at - 0.5) - 0.5) / wide;
-        float on = 1.0 - min(min(away.x, away.y), 1.0);
-        on *= clamp(1.3 - 4.0 * max(wide.x, wide.y), 0.0, 1.0);
-        paint = mix(paint, lines.rgb, lines.a * on);
-    }
-    vec2 inside = (place.xz - area.xy) * area.zw;
-    if (shade > 0.0 && inside.x > 0.0 && inside.y > 0.0 && inside.x < 1.0 && inside.y < 1.0) {
-        vec2 dark = texture(shadow, inside).rg;
-        paint *= (1.0 - shade * dark.r) * (1.0 - 0.5 * shade * dark.g);
-    }
+#ifdef GRAIN
+    float fine = texture(grain, at * 0.47).r;
+#ifdef RIPPLES
+    float coarse = texture(grain, at * 0.11).r;
+#else
+    float coarse = fine;
+#endif
+    paint *= 1.0 + surface.x * (fine + coarse - 1.0);
+#endif
+#ifdef RIPPLES
+    float one = texture(grain, at * 0.21 + surface.zw).g;
+    float other = texture(grain, at * 0.26 - surface.wz).g;
+    paint *= 1.0 + surface.y * (2.6 * min(one, other) - 0.35);
+#endif
+#ifdef LINES
+    vec2 wide = fwidth(at);
+    vec2 away = abs(fract(at - 0.5) - 0.5) / wide;
+    float on = 1.0 - min(min(away.x, away.y), 1.0);
+    on *= clamp(1.3 - 4.0 * max(wide.x, wide.y), 0.0, 1.0);
+    paint = mix(paint, lines.rgb, lines.a * on);
+#endif
     color = vec4(dithered(hazed(paint, place - eye)), 1.0);
+}
+)";
+
+// The part of the floor on which the shadow falls, which darkens what is there but not the haze
+// before it: colour of the haze that is added, and the share of the picture that stays.
+inline constexpr const char* kShadedVertex = R"(
+uniform mat4 view;
+uniform vec4 area;  // low corner and size
+uniform float height;
+out vec3 place;
+out vec2 inside;
+void main() {
+    inside = vec2(gl_VertexID & 1, (gl_VertexID & 2) / 2);
+    vec2 at = area.xy + inside * area.zw;
+    place = vec3(at.x, height, at.y);
+    gl_Position = view * vec4(place, 1.0);
+}
+)";
+inline constexpr const char* kShadedFragment = R"(
+in vec3 place;
+in vec2 inside;
+uniform float shade;
+uniform sampler2D shadow;
+out vec4 color;
+void main() {
+    vec2 dark = texture(shadow, inside).rg;
+    float stays = (1.0 - shade * dark.r) * (1.0 - 0.5 * shade * dark.g);
+    color = vec4((1.0 - stays) * hazed(vec3(0.0), place - eye), stays);
 }
 )";
 
@@ -193,6 +219,7 @@ void main() {
 }
 )";
 
+// There is a shader for each PATTERN.
 inline constexpr const char* kSolidFragment = R"(
 in vec3 place;
 in vec3 outward;
@@ -227,27 +254,28 @@ void shade_by(int i, vec3 normal, inout float light, inout float open) {
             exp2(-gap / (0.45 * min(half_size.y, half_size.z) + 0.005));
 }
 
+#if PATTERN > 0
 // Returns how dark the pattern is, 0 to 1.
-float pattern(vec3 normal) {
+float pattern() {
     vec3 at = inside * kind.y;
     float along = at.x + kind.z;
     float sway = 0.12 * sin(at.y * 4.7 + kind.z * 5.0) + 0.10 * sin(at.z * 5.3);
-    float wave = -1.0;
-    if (kind.x > 4.5) {
-        wave = abs(fract(along - (abs(at.y) + abs(at.z)) * 0.55) - 0.5) * 4.0 - 1.0;
-    } else if (kind.x > 3.5) {
-        wave = (inside.y / extent.y * 1.5 - 0.1 + 0.34 * sin(along * 6.28318) + sway) * 2.0;
-    } else if (kind.x > 2.5) {
-        wave = abs(fract((at.y + at.z) * 0.95 + 0.25 + 0.06 * sin(along * 6.28318)) - 0.5) * 4.0 - 1.0;
-    } else if (kind.x > 1.5) {
-        vec3 row = floor(at * 1.5 + 0.5);
-        vec3 cell = at * 1.5 - row + vec3(0.2 * sin(3.7 * row.y), 0.0, 0.2 * sin(5.1 * row.x));
-        wave = (0.33 - length(cell)) * 7.0;
-    } else if (kind.x > 0.5) {
-        wave = abs(fract(along + sway) - 0.5) * 4.0 - 0.9;
-    }
+#if PATTERN == 1
+    float wave = abs(fract(along + sway) - 0.5) * 4.0 - 0.9;
+#elif PATTERN == 2
+    vec3 row = floor(at * 1.5 + 0.5);
+    vec3 cell = at * 1.5 - row + vec3(0.2 * sin(3.7 * row.y), 0.0, 0.2 * sin(5.1 * row.x));
+    float wave = (0.33 - length(cell)) * 7.0;
+#elif PATTERN == 3
+    float wave = abs(fract((at.y + at.z) * 0.95 + 0.25 + 0.06 * sin(along * 6.28318)) - 0.5) * 4.0 - 1.0;
+#elif PATTERN == 4
+    float wave = (inside.y / extent.y * 1.5 - 0.1 + 0.34 * sin(along * 6.28318) + sway) * 2.0;
+#else
+    float wave = abs(fract(along - (abs(at.y) + abs(at.z)) * 0.55) - 0.5) * 4.0 - 1.0;
+#endif
     return smoothstep(-0.25, 0.25, wave);
 }
+#endif
 
 void main() {
     vec3 normal = normalize(outward);
@@ -259,7 +287,9 @@ void main() {
     for (int k = 0; k < 4 && near_too[k] >= 0; ++k) shade_by(near_too[k], normal, light, open);
     light = 1.0 - dimness * (1.0 - light);
     vec3 base = paint.rgb * paint.rgb;
-    if (kind.x > 0.5) base *= 1.0 - 0.42 * pattern(normal);
+#if PATTERN > 0
+    base *= 1.0 - 0.42 * pattern();
+#endif
     float facing = dot(normal, sun);
     float lit = max(0.86 * facing + 0.14, 0.0) * light;
     vec3 sky = mix(below, above, 0.5 + 0.5 * normal.y);
@@ -320,25 +350,25 @@ void main() {
 inline constexpr const char* kSmoothFragment = R"(
 in vec2 share;
 uniform sampler2D picture;
-uniform vec2 pixel;
-uniform vec4 area;
+uniform vec2 pixel;    // share of the picture
+uniform ivec2 corner;  // of the target
 out vec4 color;
-float luma(vec2 at) { return dot(texture(picture, at).rgb, vec3(0.3, 0.59, 0.11)); }
+vec3 at(int x, int y) { return texelFetch(picture, ivec2(gl_FragCoord.xy) - corner + ivec2(x, y), 0).rgb; }
+float luma(vec3 paint) { return dot(paint, vec3(0.3, 0.59, 0.11)); }
 void main() {
-    vec2 at = area.xy + share * area.zw;
-    vec3 here = texture(picture, at).rgb;
-    float middle = dot(here, vec3(0.3, 0.59, 0.11));
-    float north = luma(at + vec2(0.0, pixel.y)), south = luma(at - vec2(0.0, pixel.y));
-    float east = luma(at + vec2(pixel.x, 0.0)), west = luma(at - vec2(pixel.x, 0.0));
+    vec3 here = at(0, 0);
+    float middle = luma(here);
+    float north = luma(at(0, 1)), south = luma(at(0, -1));
+    float east = luma(at(1, 0)), west = luma(at(-1, 0));
     float most = max(middle, max(max(north, south), max(east, west)));
     float least = min(middle, min(min(north, south), min(east, west)));
-    color = vec4(here, 1.0);
-    if (most - least < 0.05) return;
     vec2 across = vec2(east - west, north - south);
     vec2 along = vec2(-across.y, across.x) * inversesqrt(dot(across, across) + 1e-8) * pixel;
-    vec3 near = texture(picture, at + 0.5 * along).rgb + texture(picture, at - 0.5 * along).rgb;
-    vec3 far = texture(picture, at + 1.5 * along).rgb + texture(picture, at - 1.5 * along).rgb;
-    color = vec4(mix(0.25 * near + 0.25 * far, here, 0.3), 1.0);
+    vec2 place = (gl_FragCoord.xy - vec2(corner)) * pixel;
+    vec3 near = texture(picture, place + 0.5 * along).rgb + texture(picture, place - 0.5 * along).rgb;
+    vec3 far = texture(picture, place + 1.5 * along).rgb + texture(picture, place - 1.5 * along).rgb;
+    vec3 mixed = mix(0.25 * near + 0.25 * far, here, 0.3);
+    color = vec4(most - least < 0.05 ? here : mixed, 1.0);
 }
 )";
 
