@@ -84,10 +84,9 @@ Status check_names(const CLI::App& app) {
 // Returns how many dimensions the files of a subcommand have; those that it has not are of no
 // matter.
 Result<int> dimensions_of(const Subcommand& subcommand) {
-    const CommandFiles files = subcommand.files();
     std::filesystem::path first;
     int dimensions = 0;
-    for (const std::filesystem::path& input : files.inputs()) {
+    for (const std::filesystem::path& input : subcommand.worlds()) {
         const int own = dimensions_of_file(input);
         if (own == 3 && !subcommand.works_in_space())
             return Error{input.string() +

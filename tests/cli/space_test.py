@@ -98,6 +98,19 @@ class Space(ProgramTest):
         self.assertEqual((score["unit"], score["verdict"]), ("BL/s", "clean"))
         self.assertGreater(score["fitness"], 0.02)
 
+    def test_settings_are_compared_in_space(self):
+        self.write("swim.toml", SMALL_3D)
+        self.write("tuned.toml", "[population]\ntuned = 0.8\n")
+        arguments = ["compare", "--world", "swim.toml", "tuned.toml", "--random-search",
+                     "--seeds", "1..2", "--trials", 24, "--out", "results"]
+        report = self.run_well(*arguments).stdout
+        for arm in ["tuned", "random-search"]:
+            self.assertIn(f"| {arm} | 2 |", report)
+        champion = next((self.folder / "results/champions").glob("*.json"))
+        self.assertEqual(json.loads(champion.read_text())["dimensions"], 3)
+        self.refuse("lives in 3 dimensions and", *arguments, "--world",
+                    ROOT / "assets/settings/swimming.toml")
+
     def test_what_is_not_built_in_space_is_refused_in_one_sentence(self):
         self.write("swim.toml", SMALL_3D)
         for setting, words in [

@@ -7,8 +7,10 @@
 #include "core/registry.h"
 #include "evolution/kinds/evolution_kinds.h"
 
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
 class App;
@@ -25,6 +27,8 @@ public:
     virtual CommandFiles files() const { return {}; }
     // Returns whether it takes creatures, settings and experiments of three dimensions.
     virtual bool works_in_space() const { return false; }
+    // Returns the files that tell of how many dimensions the kinds are, which are one for all.
+    virtual std::vector<std::filesystem::path> worlds() const { return files().inputs(); }
     // The kinds are those of the dimensions of its files. Writes results to standard output and
     // messages to standard error.
     virtual ExitStatus run(const EvolutionKinds& kinds) = 0;

@@ -101,6 +101,8 @@ Result<BackendMaking> backend_making(const ClusterLogin& cluster, const Evolutio
             return make_thread_pool_backend(kinds, 1);
         });
     }
+    if (kinds.creature.scene.dimensions == 3)
+        return Error{"clusters are not built in three dimensions yet"};
     const Result<ClusterAddress> address = usable_cluster(cluster);
     if (!address) return address.error();
     return BackendMaking(
@@ -162,6 +164,13 @@ public:
         }
         add_login_files(files, options_.cluster);
         return files.fills(options_.out);
+    }
+    bool works_in_space() const override { return true; }
+    // Arms change some settings of the worlds, whatever the dimensions of those are.
+    std::vector<std::filesystem::path> worlds() const override {
+        const std::vector<std::string>& all =
+            options_.worlds.empty() ? options_.arms : options_.worlds;
+        return {all.begin(), all.end()};
     }
     ExitStatus run(const EvolutionKinds& kinds) override {
         if (options_.arms.empty() && options_.worlds.empty())
