@@ -67,8 +67,8 @@ void use_land(SpaceFrame& frame, const DrawnWorld& world, const SpaceLook& look,
     light.dimness = 0.85;
     if (!has_ground) return add_hanging_specks(frame, color_of(0xFFFFFF, 0.5F));
     SpaceFloor floor;
-    floor.color = recipe.ground[0];
-    floor.grain = 0.4F;
+    floor.color = mix(recipe.ground[0], recipe.ground[1], 0.22F);
+    floor.grain = 0.28F;
     floor.lines =
         with_alpha(mix(recipe.ground[0], color_of(0x000000), 0.45F), look.grid ? 0.7F : 0.4F);
     frame.floor = floor;

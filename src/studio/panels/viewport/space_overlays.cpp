@@ -6,12 +6,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace cambrian {
 namespace {
 
 constexpr double kNearestPoint = 0.02;  // m from the camera; nearer points are not drawn
 constexpr int kArcPieces = 20;          // of half a turn
+constexpr double kLeastArc = 0.08;      // m; least radius of arcs about a joint
+constexpr double kHaloPixels = 2.0;     // by which the shade under a line is wider
+const Color kHalo = color_of(0x0B0E12, 0.38F);
 
 Vec3 turned(const Vec3& vector, const Vec3& axis, double angle) {
     const auto [sine, cosine] = sine_cosine(angle);
@@ -37,7 +43,7 @@ DegreePlace place_of(const OverlayScene& over, const JointDegree& degree) {
     place.coordinate = over.scene.joint_coordinate(degree);
     place.limits = limits_of(part, degree.degree);
     place.slides = part.motion == JointMotion::kSlide;
-    place.radius = 0.6 * part.half_extents.x();
+    place.radius = std::max(kLeastArc, 0.75 * part.half_extents.x());
     Vec3 axis = Vec3::Unit(place.slides ? 0 : part.axes[degree.degree]);
     // The hinges after it have turned the part away from its axis; those of a ball are the part's.
     const std::size_t hinges = part.motion == JointMotion::kBall ? 0 : degrees_of(part);
@@ -61,47 +67,88 @@ struct Arc {
     double radius, from, to;  // m, rad, rad
 };
 
+// Draws lines from each point to the next, over a shade that tells them from a bright ground.
+void add_path(SceneFrame& frame, const SpaceCamera& camera, std::span<const Vec3> points,
+              double pixels, const Color& color) {
+    for (const Vec3& point : points) {
+        if (camera.look_at(point).distance < kNearestPoint) return;
+    }
+    for (const bool shade : {true, false}) {
+        for (std::size_t i = 1; i < points.size(); ++i)
+            frame.add_line(in_picture(camera, points[i - 1]), in_picture(camera, points[i]),
+                           shade ? pixels + kHaloPixels : pixels,
+                           shade ? with_alpha(kHalo, kHalo.a * color.a) : color);
+    }
+}
+
 void add_arc(SceneFrame& frame, const SpaceCamera& camera, const DegreePlace& joint, const Arc& arc,
              double pixels, const Color& color) {
     const auto [radius, from, to] = arc;
     const int pieces =
         std::max(1, static_cast<int>(std::ceil(kArcPieces * std::fabs(to - from) / kPi)));
-    Vec3 before = joint.pivot + radius * turned(joint.needle, joint.axis, from);
-    for (int i = 1; i <= pieces; ++i) {
-        const Vec3 next = joint.pivot + radius * turned(joint.needle, joint.axis,
-                                                        from + (to - from) * i / pieces);
-        add_line(frame, camera, before, next, pixels, color);
-        before = next;
-    }
+    std::vector<Vec3> points;
+    for (int i = 0; i <= pieces; ++i)
+        points.push_back(joint.pivot + radius * turned(joint.needle, joint.axis,
+                                                       from + (to - from) * i / pieces));
+    add_path(frame, camera, points, pixels, color);
 }
 
-// Draws the cone in which a ball may swing, and where its part points.
-void add_cone(SceneFrame& frame, const SpaceCamera& camera, const OverlayScene& over,
-              const JointDegree& degree, const Color& color) {
+// Draws the two lines from a joint that touch the outline of a ring in the picture, if the joint is
+// outside of it.
+void add_tangents(SceneFrame& frame, const SpaceCamera& camera, const Vec3& pivot,
+                  std::span<const Vec3> ring, double pixels, const Color& color) {
+    const Vec2 from = in_picture(camera, pivot);
+    Vec2 middle = Vec2::Zero();
+    for (const Vec3& point : ring)
+        middle += in_picture(camera, point) - from;
+    std::array<const Vec3*, 2> ends = {&ring.front(), &ring.front()};
+    std::array<double, 2> most = {0.0, 0.0};  // tangents of the angles to each side
+    for (const Vec3& point : ring) {
+        const Vec2 way = in_picture(camera, point) - from;
+        const double along = way.dot(middle);
+        if (along <= 0.0) return;
+        const double aside = (middle.x() * way.y() - middle.y() * way.x()) / along;
+        if (aside > most[0]) ends[0] = &point;
+        if (aside < most[1]) ends[1] = &point;
+        most = {std::max(most[0], aside), std::min(most[1], aside)};
+    }
+    for (const Vec3* end : ends)
+        add_line(frame, camera, pivot, *end, pixels, color);
+}
+
+// Draws the cone in which a ball may swing, where its part points, and how far it may twist: an arc
+// round its tip.
+void add_ball_limits(SceneFrame& frame, const SpaceCamera& camera, const OverlayScene& over,
+                     const JointDegree& twist, const DegreePlace& joint) {
     constexpr int pieces = 2 * kArcPieces;
-    constexpr int kEvery = 5;  // pieces between two lines from the joint
+    constexpr double kTwistShare = 0.45;  // radius of the arc of twist
     const std::vector<PlannedPart>& parts = over.look.phenotype.plan.parts;
-    const PlannedPart& part = parts[degree.part];
+    const PlannedPart& part = parts[twist.part];
     const auto parent = static_cast<std::size_t>(part.parent);
-    const Pose& pose = over.look.poses[degree.part];
-    const Vec3 pivot = transform(pose, part.anchor_in_child);
     // The frame of the part if the joint were at rest.
     const Rotation rest = over.look.poses[parent].orientation *
                           parts[parent].rest_pose.orientation.conjugate() *
                           part.rest_pose.orientation;
-    const double radius = 0.6 * part.half_extents.x();
     const auto [sine, cosine] = sine_cosine(limits_of(part, 0).high);
-    const auto rim = [&, sine = sine, cosine = cosine](int piece) {
+    std::vector<Vec3> rim;
+    for (int piece = 0; piece <= pieces; ++piece) {
         const auto [across, up] = sine_cosine(2.0 * kPi * piece / pieces);
-        return Vec3(pivot + radius * (rest * Vec3(cosine, sine * up, sine * across)));
-    };
-    for (int piece = 0; piece < pieces; ++piece) {
-        add_line(frame, camera, rim(piece), rim(piece + 1), 2.0, color);
-        if (piece % kEvery == 0)
-            add_line(frame, camera, pivot, rim(piece), 1.0, with_alpha(color, 0.5F));
+        rim.emplace_back(joint.pivot +
+                         joint.radius * (rest * Vec3(cosine, sine * up, sine * across)));
     }
-    add_line(frame, camera, pivot, pivot + radius * (pose.orientation * Vec3::UnitX()), 2.0,
-             over.palette.accent);
+    const Color swing = mix(axis_color(2), over.palette.text, 0.25F);
+    add_tangents(frame, camera, joint.pivot, rim, 1.2, with_alpha(swing, 0.8F));
+    add_path(frame, camera, rim, 2.0, swing);
+    DegreePlace tip = joint;
+    tip.pivot = joint.pivot + joint.radius * joint.axis;
+    tip.radius = kTwistShare * joint.radius;
+    const Color turn = mix(axis_color(0), over.palette.text, 0.25F);
+    add_arc(frame, camera, tip,
+            {tip.radius, joint.limits.low - joint.coordinate, joint.limits.high - joint.coordinate},
+            2.0, turn);
+    const std::array<Vec3, 3> needle = {joint.pivot, tip.pivot,
+                                        tip.pivot + tip.radius * joint.needle};
+    add_path(frame, camera, needle, 2.0, over.palette.accent);
 }
 
 void add_dot(SceneFrame& frame, const SpaceCamera& camera, const Vec3& at, double pixels,
@@ -120,16 +167,48 @@ const Color& axis_color(int axis) {
 
 void add_line(SceneFrame& frame, const SpaceCamera& camera, const Vec3& from, const Vec3& to,
               double pixels, const Color& color) {
-    if (camera.look_at(from).distance < kNearestPoint ||
-        camera.look_at(to).distance < kNearestPoint)
-        return;
-    frame.add_line(in_picture(camera, from), in_picture(camera, to), pixels, color);
+    const std::array<Vec3, 2> points = {from, to};
+    add_path(frame, camera, points, pixels, color);
 }
 
-void add_joint_axes(SceneFrame& frame, const SpaceCamera& camera, const OverlayScene& over) {
+void add_edges(SceneFrame& frame, const SpaceCamera& camera, const CreatureLook& look,
+               const Color& ink) {
+    constexpr double kEdgePixels = 1.4;
+    constexpr float kHiddenShare = 0.3F;
+    for (std::size_t i = 0; i < look.poses.size(); ++i) {
+        const Pose& pose = look.poses[i];
+        const Vec3& half = look.phenotype.plan.parts[i].half_extents;
+        const Color color = mix(part_color(look.phenotype.parts[i], look.hue), ink, 0.6F);
+        const Vec3 eye = pose.orientation.conjugate() * Vec3(camera.place() - pose.position);
+        for (int axis = 0; axis < 3; ++axis) {
+            const int u = (axis + 1) % 3;
+            const int v = (axis + 2) % 3;
+            for (const auto& [a, b] :
+                 {std::pair{-1.0, -1.0}, {-1.0, 1.0}, {1.0, -1.0}, {1.0, 1.0}}) {
+                Vec3 end = Vec3::Zero();
+                end[u] = a * half[u];
+                end[v] = b * half[v];
+                end[axis] = half[axis];
+                Vec3 start = end;
+                start[axis] = -half[axis];
+                const bool seen = a * eye[u] > half[u] || b * eye[v] > half[v];
+                if (camera.look_at(transform(pose, start)).distance < kNearestPoint ||
+                    camera.look_at(transform(pose, end)).distance < kNearestPoint)
+                    continue;
+                frame.add_line(in_picture(camera, transform(pose, start)),
+                               in_picture(camera, transform(pose, end)), kEdgePixels,
+                               with_alpha(color, seen ? 0.9F : kHiddenShare));
+            }
+        }
+    }
+}
+
+void add_joint_axes(SceneFrame& frame, const SpaceCamera& camera, const OverlayScene& over,
+                    bool of_balls) {
     for (const JointDegree& degree : over.look.phenotype.effectors) {
         const DegreePlace joint = place_of(over, degree);
         const PlannedPart& part = over.look.phenotype.plan.parts[degree.part];
+        if (part.motion == JointMotion::kBall && !of_balls) continue;
         const double half = 0.8 * part.half_extents.tail<2>().maxCoeff() + 0.02;
         const int axis = joint.slides ? 0 : part.axes[degree.degree];
         add_line(frame, camera, joint.pivot - half * joint.axis, joint.pivot + half * joint.axis,
@@ -145,8 +224,8 @@ void add_joint_limits(SceneFrame& frame, const SpaceCamera& camera, const Overla
         const PlannedPart& part = over.look.phenotype.plan.parts[degree.part];
         const Color color =
             mix(axis_color(joint.slides ? 0 : part.axes[degree.degree]), over.palette.text, 0.25F);
-        if (part.motion == JointMotion::kBall && degree.degree < 2) {
-            if (degree.degree == 0) add_cone(frame, camera, over, degree, color);
+        if (part.motion == JointMotion::kBall) {
+            if (degree.degree == 2) add_ball_limits(frame, camera, over, degree, joint);
             continue;
         }
         const double low = joint.limits.low - joint.coordinate;

@@ -23,8 +23,13 @@ void add_line(SceneFrame& frame, const SpaceCamera& camera, const Vec3& from, co
 // The colours of the axes x, y and z.
 const Color& axis_color(int axis);
 
-// Draws each joint's axes in the colours of the part's own, and the joint itself as a dot.
-void add_joint_axes(SceneFrame& frame, const SpaceCamera& camera, const OverlayScene& over);
+// The edges of all parts, in their colours mixed with ink, faint where the part hides them.
+void add_edges(SceneFrame& frame, const SpaceCamera& camera, const CreatureLook& look,
+               const Color& ink);
+// Draws each joint's axes in the colours of the part's own, and the joint itself as a dot. The axes
+// of a ball are in the way of its limits.
+void add_joint_axes(SceneFrame& frame, const SpaceCamera& camera, const OverlayScene& over,
+                    bool of_balls);
 void add_joint_limits(SceneFrame& frame, const SpaceCamera& camera, const OverlayScene& over);
 void add_joint_torques(SceneFrame& frame, const SpaceCamera& camera, const OverlayScene& over);
 void add_sensor_readings(SceneFrame& frame, const SpaceCamera& camera, const OverlayScene& over);

@@ -208,7 +208,8 @@ void SpaceView::add_overlays(const FrameContext& frame, const SpaceCamera& camer
         1.0};
     add_touched_faces(scene, camera, look,
                       with_alpha(colors().plot_best, look.mode == LookMode::kLife ? 0.6F : 1.0F));
-    if (look.mode != LookMode::kLife) add_joint_axes(scene, camera, over);
+    if (look.mode == LookMode::kGlass) add_edges(scene, camera, look, colors().text);
+    if (look.mode != LookMode::kLife) add_joint_axes(scene, camera, over, !shown.limits);
     if (shown.limits) add_joint_limits(scene, camera, over);
     if (shown.torques) add_joint_torques(scene, camera, over);
     if (shown.sensors) add_sensor_readings(scene, camera, over);
