@@ -100,7 +100,7 @@ void StudioController::keep_memory() {
 void StudioController::use_assets(const std::filesystem::path& folder) {
     guide_.read(folder / "help", keys_text(),
                 words_text(std::as_const(experiment_).open().fields()));
-    files_.use_samples(folder / "creatures");
+    files_.use_samples({folder / "creatures", folder / "creatures-3d"});
     files_.use_challenges(folder / "challenges");
     coach_.use_samples(folder / "creatures");
     preserve_.use_assets(folder);

@@ -95,6 +95,29 @@ TEST_CASE("on no slope a sample keeps a twentieth of its score without muscles",
     }
 }
 
+TEST_CASE("samples in space score what their files tell, by their muscles", "[goals][samples]") {
+    int found = 0;
+    for (const auto& file :
+         std::filesystem::directory_iterator(CAMBRIAN_SOURCE_DIR "/assets/creatures-3d")) {
+        const auto document = load_creature(file.path(), test::spatial_kinds());
+        CAPTURE(file.path().filename().string());
+        REQUIRE(document);
+        ExperimentSettings settings = document->settings();
+        const auto score = [&] {
+            return evaluate_in_trials({.genome = document->creature.individual->genome,
+                                       .trial_seed = trial_seed(settings)},
+                                      settings, test::spatial_kinds())
+                .fitness;
+        };
+        const double honest = score();
+        CHECK(honest == Approx(document->score()).epsilon(0.05));
+        settings.world.scene.muscle_strength = 0.0;
+        CHECK(score() < 0.05 * honest);
+        ++found;
+    }
+    CHECK(found >= 4);
+}
+
 TEST_CASE("in no world of ground random creatures score without muscles", "[goals][samples]") {
     RandomStream stream(stream_seed({58, 4}));
     for (const char* goal : {"walking", "jumping"}) {

@@ -95,7 +95,7 @@ TEST_CASE("without champions the samples are presented", "[studio][presentation]
     StudioRun run;
     const CreatureDocument document{judged(5, 1.0, 0)};
     REQUIRE(save_creature(run.folder / "crawler.creature.json", document, test::kinds()));
-    run.studio.files().use_samples(run.folder.path());
+    run.studio.files().use_samples({run.folder.path()});
     run.ask(TogglePresentation{});
     CHECK(run.frames_until([&] { return test::shown_in(run).source == ExhibitSource::kSample; }));
 }

@@ -61,8 +61,10 @@ public:
     }
     unsigned saves() const { return saves_; }  // number of files saved so far
 
-    // Sets the folder of the sample creatures.
-    void use_samples(const std::filesystem::path& folder) { samples_folder_ = folder; }
+    // Sets the folders of the sample creatures.
+    void use_samples(std::vector<std::filesystem::path> folders) {
+        sample_folders_ = std::move(folders);
+    }
     void use_challenges(const std::filesystem::path& folder) { challenges_folder_ = folder; }
     // Sets what pages are made of.
     void use_page_parts(PageParts parts) { page_parts_ = std::move(parts); }
@@ -108,7 +110,7 @@ private:
     LongFiles long_files_;
     PageParts page_parts_;
     FileBrowser browser_;
-    std::filesystem::path samples_folder_;
+    std::vector<std::filesystem::path> sample_folders_;
     std::filesystem::path challenges_folder_;
     SampleLibrary samples_;
     std::optional<GridMotion> sample_motion_;  // of the sample that is watched

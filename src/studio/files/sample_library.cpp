@@ -20,7 +20,8 @@ std::string account_of(const CreatureDocument& document, const EvolutionKinds& k
     if (!document.scored()) return "Not scored yet";
     const std::string& id = document.settings().goal;
     const GoalKind* goal = kinds.goals.find(id);
-    const std::string name = goal == nullptr ? capitalized(id) : goal->label;
+    const std::string name = (goal == nullptr ? capitalized(id) : goal->label) +
+                             (kinds.creature.scene.dimensions == 3 ? " in space" : "");
     return fmt::format("{}, {}", name, shown_score(document.score(), document.notes.unit));
 }
 

@@ -169,7 +169,7 @@ TEST_CASE("a sample moves as long as it is watched", "[studio][files][samples]")
     const auto path = run.folder.path() / "crawler.creature.json";
     const CreatureDocument document{unjudged(test::crawler(test::kinds().creature.catalog))};
     REQUIRE(save_creature(path, document, test::kinds()));
-    run.studio.files().use_samples(run.folder.path());
+    run.studio.files().use_samples({run.folder.path()});
     run.ask(ToggleSamples{});
     const auto library = [&]() -> const SampleLibrary& {
         return *run.studio.frame_context().files.samples;

@@ -32,12 +32,14 @@ TEST_CASE("samples are listed by title, damaged files last with their reason",
 }
 
 TEST_CASE("every creature that comes with the program can be opened", "[studio][samples]") {
-    const auto samples =
-        read_samples(std::string(CAMBRIAN_SOURCE_DIR) + "/assets/creatures", test::kinds());
-    CHECK_FALSE(samples.empty());
-    for (const Sample& sample : samples) {
-        INFO(sample.account);
-        CHECK(sample.phenotype != nullptr);
+    for (const char* folder : {"/assets/creatures", "/assets/creatures-3d"}) {
+        const auto samples = read_samples(std::string(CAMBRIAN_SOURCE_DIR) + folder, test::kinds(),
+                                          &test::spatial_kinds());
+        CHECK_FALSE(samples.empty());
+        for (const Sample& sample : samples) {
+            INFO(sample.account);
+            CHECK(sample.phenotype != nullptr);
+        }
     }
 }
 

@@ -139,6 +139,7 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
     canvas_.add_to(*ImGui::GetWindowDrawList());
     if (!frame.viewer.playback.empty()) {
         if (frame.in_space()) {
+            draw_space_marks(frame);
             draw_space_ghost_labels(frame);
         } else {
             draw_marks(frame);
@@ -170,6 +171,45 @@ void ViewportPanel::draw_space(const FrameContext& frame, Requests& out) {
 
 Vec2 ViewportPanel::on_canvas(const FrameContext& frame, const Vec3& point) const {
     return frame.in_space() ? space_.on_canvas(point, canvas_) : Vec2(point.head<2>());
+}
+
+// Labels the lines of the ground's grid that cross at the start.
+void ViewportPanel::draw_space_marks(const FrameContext& frame) {
+    const DrawnWorld* world = world_around(frame);
+    if (!frame.viewer.playback.creature().replay().environment().has_ground) return;
+    if (world != nullptr ? !frame.view.overlays.ruler : !frame.view.overlays.grid) return;
+    constexpr int kLabelsEachWay = 12;
+    const PlayedCreature& body = frame.viewer.playback.creature();
+    const SpaceCamera camera = space_.camera().seen(canvas_.size());
+    Camera flat;
+    flat.pixels_per_metre = camera.pixels_per_metre;
+    const double spacing = std::max(1.0, mark_spacing(flat, kTickPixels));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const WithFont font(ui().fonts.small);
+    const Color color = world != nullptr ? world->words : colors().muted;
+    const auto label = [&](const Vec3& at, double metres) {
+        const SpaceCamera::Seen seen = camera.look_at(at);
+        const std::string words = with_unit(metres, "m");
+        const auto x = static_cast<float>(seen.place.x());
+        const auto y = static_cast<float>(seen.place.y());
+        const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+        const bool near = seen.distance > 0.2 && seen.distance < 4.0 * camera.distance();
+        const bool hidden =
+            part_at(body.phenotype(), body.motion().poses(), camera, seen.place + Vec2(8.0, 8.0))
+                .part >= 0;
+        if (!near || hidden || x < 0.0F || y < 0.0F || x + size.x > canvas_.area.width ||
+            y + size.y > canvas_.area.height)
+            return;
+        list.AddText({std::round(canvas_.area.x + x + px(3)), std::round(canvas_.area.y + y)},
+                     paint(color), words.c_str());
+    };
+    const auto nearest = [&](double metres) { return std::round(metres / spacing); };
+    for (int i = -kLabelsEachWay; i <= kLabelsEachWay; ++i) {
+        const double along = (nearest(camera.target.x()) + i) * spacing;
+        label({along, 0.0, 0.0}, along);
+        const double aside = (nearest(camera.target.z()) + i) * spacing;
+        if (aside != 0.0) label({0.0, 0.0, aside}, aside);
+    }
 }
 
 // Draws each ghost's name at its middle.

@@ -41,6 +41,7 @@ private:
     // Returns where the canvas has a point of the world.
     Vec2 on_canvas(const FrameContext& frame, const Vec3& point) const;
     void draw_space(const FrameContext& frame, Requests& out);
+    void draw_space_marks(const FrameContext& frame);
     void draw_space_ghost_labels(const FrameContext& frame) const;
 
     SceneCanvas canvas_;
