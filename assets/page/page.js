@@ -263,7 +263,7 @@ function prove() {
 
 // ---- evolution
 
-const GOALS = { walking: 'walking', jumping: 'jumping', swimming: 'swimming', seeking: 'seeking a lamp', flying: 'flying', escape: 'escaping a wall', 'swimming-3d': 'swimming in space' };
+const GOALS = { walking: 'walking', jumping: 'jumping', swimming: 'swimming', seeking: 'seeking a lamp', flying: 'flying', escape: 'escaping a wall', fleeing: 'fleeing from a hunter', 'swimming-3d': 'swimming in space' };
 let evolving = { workers: [], curve: [] };
 
 function startEvolution() {

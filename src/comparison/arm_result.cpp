@@ -21,6 +21,8 @@ ArmResult arm_result(const std::vector<ComparedRun>& runs, const std::vector<Com
                      .interval = median_interval(scores),
                      .worst = *std::min_element(scores.begin(), scores.end()),
                      .contest = std::nullopt};
+    for (const ComparedRun& run : runs)
+        result.needing += run.needs_senses;
     if (others.empty()) return result;
     const std::vector<double> theirs = confirmed_scores(others);
     ArmContest contest{.ratio = std::nullopt,

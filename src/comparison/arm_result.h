@@ -22,6 +22,7 @@ struct ArmResult {
     double median = 0.0;  // of the confirmed scores
     Interval interval;    // 90 % bootstrap interval of the median
     double worst = 0.0;   // lowest confirmed score
+    int needing = 0;      // champions that need their senses (needs_senses())
     std::optional<ArmContest> contest;
 };
 

@@ -5,6 +5,7 @@
 #include "core/sample_statistics.h"
 #include "core/thread_time.h"
 #include "creature/phenotype.h"
+#include "evolution/evaluation/sense_losses.h"
 #include "evolution/evaluation/trials.h"
 #include "evolution/evolution.h"
 #include "evolution/generation.h"
@@ -76,13 +77,14 @@ void note_generation(ComparedRun& row, const GenerationStatistics& statistics) {
 }
 
 void note_end(ComparedRun& row, const Evolution& evolution, const Individual& champion,
-              const EvolutionKinds& kinds) {
+              const EvolutionKinds& kinds, const std::stop_token& stop) {
     const ExperimentSettings& settings = evolution.settings();
     row.score = champion.result.fitness;
     row.parts = champion.result.parts;
     row.confirmed = confirmed_score(champion.genome, settings, kinds);
     row.finer = accurate_score(champion.genome, settings, kinds);
     row.jump_height = jump_height(champion.genome, settings, kinds);
+    row.needs_senses = needs_senses(champion.genome, settings, kinds, stop) ? 1 : 0;
     row.plans = plans_of_best(evolution, kinds);
     row.audited = evolution.termination_audit().finished;
     row.survivors = evolution.termination_audit().survived;
@@ -126,7 +128,7 @@ std::optional<FinishedRun> perform(const PlannedRun& run, const EvolutionKinds& 
     }
     const auto champion = evolution.confirmed_champion(backend, progress, stop);
     if (!champion) return std::nullopt;
-    note_end(row, evolution, **champion, kinds);
+    note_end(row, evolution, **champion, kinds, stop);
     row.seconds = thread_cpu_time() - begun;
     return FinishedRun{std::move(row), *champion, evolution.shared_settings()};
 }

@@ -43,9 +43,10 @@ struct ComparedRun {
     double finer = 0.0;      // score of the champion with an accurate integrator and fine steps
     // v^2 / (2 g) in m, for the take-off speed v of the champion's best jump.
     double jump_height = 0.0;
-    int parts = 0;  // parts of the champion
-    int lines = 0;  // founders from whom the survivors of the last generation descend
-    int plans = 0;  // different body plans among the best 20 survivors
+    int parts = 0;         // parts of the champion
+    int needs_senses = 0;  // 1 if the champion needs its senses (needs_senses()), 0 if not
+    int lines = 0;         // founders from whom the survivors of the last generation descend
+    int plans = 0;         // different body plans among the best 20 survivors
     int generations = 0;
     int evaluations = 0;  // trials run
     int audited = 0;      // trials that were run to their end although early termination applied

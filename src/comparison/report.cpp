@@ -65,6 +65,7 @@ std::string row(const std::string& arm, const std::vector<ComparedRun>& runs,
     for (const auto field :
          {&ComparedRun::lines, &ComparedRun::plans, &ComparedRun::parts, &ComparedRun::generations})
         text += " | " + rounded(median(column(runs, field)));
+    text += fmt::format(" | {} of {}", result.needing, runs.size());
     text += " | " + rounded(median(column(runs, &ComparedRun::jump_height)));
     text += fmt::format(" | {} %", rounded(100.0 * mean(column(runs, &ComparedRun::time_saved))));
     const auto sum = [](const std::vector<double>& values) {
@@ -77,9 +78,10 @@ std::string row(const std::string& arm, const std::vector<ComparedRun>& runs,
 
 constexpr const char* kHead =
     "| arm | runs | confirmed | 90 % interval | worst / median | ratio | p | effect | score | "
-    "finer within 10 % | lines | plans of 20 | parts | generations | jump, m | time saved | "
+    "finer within 10 % | lines | plans of 20 | parts | generations | need senses | jump, m | time "
+    "saved | "
     "audited survivors |\n"
-    "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+    "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 
 // Reports the mean of each arm's ratio to the first arm over all worlds in which both were run.
 std::string overall(const std::vector<ComparedRun>& runs) {

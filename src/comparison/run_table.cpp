@@ -31,6 +31,7 @@ constexpr std::array kColumns = {
     Column<Row>{"finer", &Row::finer},
     Column<Row>{"jump_height", &Row::jump_height},
     Column<Row>{"parts", &Row::parts},
+    Column<Row>{"needs_senses", &Row::needs_senses},
     Column<Row>{"lines", &Row::lines},
     Column<Row>{"plans", &Row::plans},
     Column<Row>{"generations", &Row::generations},

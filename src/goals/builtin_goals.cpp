@@ -9,6 +9,7 @@ void register_seeking(GoalRegistry& goals);
 void register_flying(GoalRegistry& goals);
 void register_competition(GoalRegistry& goals);
 void register_escape(GoalRegistry& goals);
+void register_fleeing(GoalRegistry& goals);
 
 GoalRegistry builtin_goals() {
     GoalRegistry goals;
@@ -19,6 +20,7 @@ GoalRegistry builtin_goals() {
     register_flying(goals);
     register_competition(goals);
     register_escape(goals);
+    register_fleeing(goals);
     return goals;
 }
 

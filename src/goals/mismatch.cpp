@@ -16,6 +16,12 @@ bool is_thin(const Environment& environment) {
     return environment.viscosity_linear < kThinnest && environment.viscosity_quadratic < kThinnest;
 }
 
+std::string needs_hold(const Environment& environment) {
+    if (!environment.has_ground && is_thin(environment))
+        return "there is neither ground nor a medium to push off from";
+    return {};
+}
+
 }  // namespace
 
 std::string needs_ground(const Environment& environment) {
@@ -42,9 +48,12 @@ std::string needs_air(const Environment& environment) {
 
 std::string needs_jumping_light(const Environment& environment) {
     if (environment.light_motion != "jumping") return "the light does not jump";
-    if (!environment.has_ground && is_thin(environment))
-        return "there is neither ground nor a medium to push off from";
-    return {};
+    return needs_hold(environment);
+}
+
+std::string needs_hunting_light(const Environment& environment) {
+    if (environment.light_motion != "hunting") return "the light does not hunt";
+    return needs_hold(environment);
 }
 
 std::string needs_wall(const Environment& environment) {

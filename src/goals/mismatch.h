@@ -23,7 +23,8 @@ std::string needs_water(const Environment& environment);
 // For goals that need gravity, a medium that carries the creature, and no ground.
 std::string needs_air(const Environment& environment);
 
-// For goals that need a jumping light, and ground or a medium to push against.
+// For goals that need a jumping or a hunting light, and ground or a medium to push against.
 std::string needs_jumping_light(const Environment& environment);
+std::string needs_hunting_light(const Environment& environment);
 
 }  // namespace cambrian

@@ -101,8 +101,7 @@ Status write_pictures(PictureCanvas& canvas, const ClipOrder& order, std::uint64
 
 Status write_clip(PictureCanvas& canvas, const Subject& subject, const Kinds& kinds,
                   const ClipOrder& order, const TrialWatch& watch) {
-    auto motion = ReplayedMotion::start(subject.motion().phenotype, kinds,
-                                        first_trial_world(*subject.creature.settings));
+    auto motion = ReplayedMotion::start(subject.motion().phenotype, kinds, subject.world);
     if (!motion) return motion.error();
     const std::uint64_t frames = clip_frames(order.timing);
     const auto draw = [&](std::uint64_t frame) {

@@ -30,6 +30,8 @@ SensorRegistry common_sensors() {
 SensorRegistry builtin_sensors() {
     SensorRegistry sensors = common_sensors();
     add_obstacle_sensor(sensors);
+    add_whisker_sensor(sensors);
+    add_rise_sensor(sensors);
     return sensors;
 }
 

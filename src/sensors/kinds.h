@@ -26,5 +26,7 @@ void add_stretch_sensor(SensorRegistry& sensors);
 void add_food_smell_sensor(SensorRegistry& sensors);
 void add_hunger_sensor(SensorRegistry& sensors);
 void add_obstacle_sensor(SensorRegistry& sensors);
+void add_whisker_sensor(SensorRegistry& sensors);
+void add_rise_sensor(SensorRegistry& sensors);
 
 }  // namespace cambrian

@@ -54,14 +54,16 @@ struct SensorKind {
     bool reads_forces = false;   // needs PlannedPart::measures_forces
     bool smells = false;         // reads Surroundings::scent
     bool sees = false;           // reads Surroundings::light
-    bool usual = true;           // enabled in founders and mutations by default
+    // Reads Surroundings::distance_to_ground or ground_height.
+    bool feels_ground = false;
+    bool usual = true;  // enabled in founders and mutations by default
 };
 
 using SensorRegistry = Registry<SensorKind>;
 
 SensorRegistry builtin_sensors();
-// Returns those of bodies in space: the same without obstacles, and the senses of further degrees
-// of freedom and of the faces that only they have.
+// Returns those of bodies in space: the same without obstacles, whiskers and heights, and the
+// senses of further degrees of freedom and of the faces that only they have.
 SensorRegistry spatial_sensors();
 
 }  // namespace cambrian

@@ -224,7 +224,7 @@ void Trial::move_light() {
     const double length = progress_.record.body_length;
     source.move(progress_.test_ticks, scene_->center_of_mass(), length);
     if (!progress_.finished && progress_.test_ticks % source.leg_ticks() == 0)
-        progress_.record.legs.begin(distance_to_light(), length);
+        progress_.record.legs.begin(time(), source.place() - scene_->center_of_mass(), length);
 }
 
 // Returns whether nothing can move any more. A moving light, a smell or an opponent may wake a
@@ -276,7 +276,7 @@ void Trial::stop_early(Outcome outcome, std::string reason) {
         progress_.record.samples.push_back(repeated);
         progress_.record.repeat_supports();
     }
-    progress_.record.legs.rest(leg_count());
+    progress_.record.legs.rest(leg_count(), world_.trial.duration);
     progress_.record.outcome = outcome;
     progress_.record.reason = std::move(reason);
     finish();

@@ -54,8 +54,14 @@ void LightLegs::reserve(std::size_t legs) {
     legs_.reserve(legs);
 }
 
-void LightLegs::begin(double distance, double length) {
-    legs_.push_back({.start = distance, .unit = length, .end = distance, .nearest = distance});
+void LightLegs::begin(double time, const Vec3& way, double length) {
+    const double distance = way.norm();
+    legs_.push_back({.time = time,
+                     .direction = distance > 0.0 ? Vec3(way / distance) : Vec3(Vec3::Zero()),
+                     .start = distance,
+                     .unit = length,
+                     .end = distance,
+                     .nearest = distance});
 }
 
 void LightLegs::watch(double distance) {
@@ -66,12 +72,13 @@ void LightLegs::watch(double distance) {
     leg.mean += (distance - leg.mean) / ++leg.ticks;
 }
 
-void LightLegs::rest(std::size_t legs) {
+void LightLegs::rest(std::size_t legs, double end) {
     if (legs_.empty()) return;
-    const double distance = legs_.back().end;
-    const double unit = legs_.back().unit;
+    const LightLeg& last = legs_.back();
+    const LightLeg resting = {end,      last.direction, last.end, last.unit,
+                              last.end, last.end,       last.end, 1};
     while (legs_.size() < legs)
-        legs_.push_back({distance, unit, distance, distance, distance, 1});
+        legs_.push_back(resting);
 }
 
 }  // namespace cambrian

@@ -42,6 +42,8 @@ std::string_view outcome_name(Outcome outcome);  // "completed", "stopped-early"
 // the light to the next. Distances are from the centre of mass to the light, in m.
 
 struct LightLeg {
+    double time = 0.0;              // s, of the start
+    Vec3 direction = Vec3::Zero();  // to the light at the start; a unit vector, or 0
     double start = 0.0;
     double unit = 0.0;     // body length at the start, m, the unit of the way that was set
     double end = 0.0;      // so far
@@ -54,13 +56,13 @@ class LightLegs {
 public:
     // Reserves memory for the legs of a trial.
     void reserve(std::size_t legs);
-    // Records the distance at the start of a leg, before its first tick, and the body's length so
-    // far.
-    void begin(double distance, double length);
+    // Records the way to the light at the start of a leg (s), before its first tick, and the body's
+    // length so far.
+    void begin(double time, const Vec3& way, double length);
     // Records the distance after a tick.
     void watch(double distance);
-    // Adds legs with the last distance until there are this many, for a trial that ended at rest.
-    void rest(std::size_t legs);
+    // Adds legs with the last distance, from the end of a trial on, until there are this many.
+    void rest(std::size_t legs, double end);
 
     const std::vector<LightLeg>& all() const { return legs_; }
 

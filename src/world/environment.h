@@ -11,8 +11,8 @@ namespace cambrian {
 inline constexpr double kEarthGravity = 9.81;  // m/s^2
 
 // The light's motion (simulator/README.md 5).
-inline constexpr std::array<std::string_view, 3> kLightMotionIds = {"still", "jumping",
-                                                                    "wandering"};
+inline constexpr std::array<std::string_view, 4> kLightMotionIds = {"still", "jumping", "wandering",
+                                                                    "hunting"};
 
 // The medium, ground and light of a trial. It is plain data, part of the settings of every
 // experiment, and independent of the physics engine.
@@ -46,7 +46,7 @@ struct Environment {
     bool has_wall = false;               // a wall on one side, which each trial draws
     double wall_nearest = 3.0;           // m from the body at the start; least distance, positive
     double wall_farthest = 5.0;          // m; greatest, not below it
-    bool numb = false;                   // nobody senses walls from afar
+    bool numb = false;                   // nobody senses walls or ground before it touches them
     int dimensions = 2;                  // or 3, where there is neither ground nor light yet
 
     friend bool operator==(const Environment&, const Environment&) = default;

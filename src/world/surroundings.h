@@ -30,6 +30,13 @@ public:
     virtual double obstacle(const Vec3& /*point*/, int /*direction*/) const {
         return std::numeric_limits<double>::infinity();
     }
+    // Returns the distance in m from a point along a unit vector to ground or to what stands on it,
+    // if it is within reach (m); infinity if there is none.
+    virtual double distance_to_ground(const Vec3& /*from*/, const Vec3& /*direction*/,
+                                      double /*reach*/) const {
+        return std::numeric_limits<double>::infinity();
+    }
+    virtual double ground_height(double /*x*/) const { return 0.0; }  // m
     // The following are 0 where nothing is eaten.
     // Return the concentration of the smell of plants and of flesh, at least 0.
     virtual double plant_smell(const Vec3& /*point*/) const { return 0.0; }

@@ -59,6 +59,15 @@ class Render(ProgramTest):
         more = self.render(WALKER, "more.png", "--size", "640x360", "--poses", "9")
         self.assertNotEqual(dark.read_bytes(), more.read_bytes())
 
+    def test_any_trial_of_a_score_can_be_drawn(self):
+        dodger = ROOT / "assets/creatures/dodger.creature.json"
+        sheets = [self.render(dodger, f"{trial}.png", "--size", "320x180", "--trial", trial)
+                  .read_bytes() for trial in ("1", "2")]
+        self.assertNotEqual(*sheets)
+        self.assertEqual(sheets[0], self.render(dodger, "same.png", "--size", "320x180")
+                         .read_bytes())
+        self.refuse(WALKER, "-o", "a.png", "--trial", "2", parts=["there is no trial 2"])
+
     def test_a_swimmer_has_its_sheet_too(self):
         self.assertGreater(self.picture_facts(self.render(SWIMMER, "swimmer.png"))[2], 500)
 

@@ -55,6 +55,19 @@ class Simulate(ProgramTest):
         self.assert_refused(self.run_program("verify", path.name), "holds no score")
         self.assertEqual(self.run_program("simulate", path.name).returncode, DONE)
 
+    def test_any_trial_of_a_score_can_be_traced(self):
+        dodger = str(ROOT / "assets/creatures/dodger.creature.json")
+        ways = []
+        for trial in ("1", "2"):
+            self.run_well("simulate", dodger, "--trace", "motion.csv", "--trial", trial)
+            with (self.folder / "motion.csv").open(newline="") as text:
+                rows = list(csv.reader(text))
+            ways.append(float(rows[-1][1]) - float(rows[1][1]))
+        self.assertLess(ways[0] * ways[1], 0)  # the wall is on the other side
+        self.assert_refused(self.run_program("simulate", dodger, "--trace", "motion.csv",
+                                             "--trial", "5"), "combines 4 trials")
+        self.assert_refused(self.run_program("simulate", dodger, "--trial", "2"), "--trace")
+
     def test_a_trace_has_a_row_a_tick_and_four_columns_a_part(self):
         self.evolve_champion()
         self.run_well("simulate", "champion.creature.json", "--trace", "motion.csv")

@@ -15,6 +15,7 @@ std::vector<ComparedRun> runs_with(const std::string& world, const std::string& 
         run.seed = seed;
         run.confirmed = least * static_cast<double>(seed);
         run.score = run.finer = run.confirmed;
+        run.needs_senses = seed > 1 ? 1 : 0;
         runs.push_back(run);
     }
     return runs;
@@ -43,6 +44,7 @@ TEST_CASE("the report sets every arm against the first", "[comparison]") {
     // direction.
     CHECK(holds(report, "| new | 3 | 8 | 4 to 12 | 0.5 | 4 | 0.1 | 1 | 8 | 3 |"));
     CHECK(holds(report, "| new | 3 | 2 | 1 to 3 | 0.5 | 1 | 1 | 0.5 | 2 | 2 |"));
+    CHECK(holds(report, "| 2 of 3 |"));
     CHECK(holds(report, "- new against old: 2, geometric mean over 2 worlds"));
 }
 

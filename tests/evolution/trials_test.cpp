@@ -1,6 +1,8 @@
 // Several trials with jitter (simulator/README.md 1).
 #include "evolution/evaluation/trials.h"
 
+#include "core/hash.h"
+#include "simulator/trial.h"
 #include "support/catch.h"
 #include "support/creatures.h"
 #include "support/kinds.h"
@@ -64,6 +66,26 @@ TEST_CASE("the first trial is in the world as it is, others within the jitter",
     }
     CHECK(frictions.size() == 49);
     CHECK(widest > 0.8 * 2.0 * 3.14159265358979 / 180.0);
+}
+
+TEST_CASE("each trial can be run by itself with the motion that was judged",
+          "[evolution][trials]") {
+    const ExperimentSettings settings = robust(3, "mean");
+    const GenomePtr genome = test::crawler(kinds().creature.catalog);
+    std::uint64_t all = 0;
+    for (int trial = 0; trial < 3; ++trial) {
+        const TrialSetup setup = trial_setup(genome, settings, trial);
+        const auto record =
+            run_trial(std::make_shared<const Phenotype>(express(
+                          *setup.genome, kinds().creature, settings.expression, setup.world.scene)),
+                      kinds().creature, setup.world);
+        REQUIRE(record);
+        Hash64 both;
+        both.add(all);
+        both.add(record->digest);
+        all = trial == 0 ? record->digest : both.value();
+    }
+    CHECK(all == judge(settings).digest);
 }
 
 TEST_CASE("the score is the mean or the minimum of the trials", "[evolution][trials]") {

@@ -31,7 +31,7 @@ std::vector<double> shares_of(const Script& script, const Environment& environme
     Vec3 at = environment.has_ground ? Vec3(0.0, 0.3, 0.0) : Vec3(Vec3::Zero());
     for (std::uint64_t tick = 0; tick < 5 * light.leg_ticks(); ++tick) {
         light.move(tick, at, 1.0);
-        if (tick % light.leg_ticks() == 0) record.legs.begin((light.place() - at).norm(), 1.0);
+        if (tick % light.leg_ticks() == 0) record.legs.begin(0.0, light.place() - at, 1.0);
         at += kBrainTick * script(at, light.place());
         record.legs.watch((light.place() - at).norm());
     }
@@ -112,7 +112,7 @@ TEST_CASE("standing still scores 0, walking about blindly next to nothing", "[go
 TEST_CASE("passing the light pays where the leg ends, not on the way", "[goals][seeking]") {
     TrialRecord record;
     record.body_length = 1.0;
-    record.legs.begin(4.0, 1.0);
+    record.legs.begin(0.0, Vec3(4.0, 0.0, 0.0), 1.0);
     record.legs.watch(0.1);
     record.legs.watch(6.0);
     CHECK(seeking().score(record).value == Approx(-0.5));
@@ -123,10 +123,10 @@ TEST_CASE("passing the light pays where the leg ends, not on the way", "[goals][
 TEST_CASE("a body that was shorter when a leg began had a shorter way", "[goals][seeking]") {
     TrialRecord record;
     record.body_length = 2.0;
-    record.legs.begin(4.0, 1.0);
+    record.legs.begin(0.0, Vec3(4.0, 0.0, 0.0), 1.0);
     record.legs.watch(0.0);
     CHECK(seeking().score(record).value == Approx(0.5));
-    record.legs.begin(8.0, 2.0);
+    record.legs.begin(0.0, Vec3(8.0, 0.0, 0.0), 2.0);
     record.legs.watch(0.0);
     CHECK(seeking().score(record).value == Approx(0.5 * 0.75 + 0.5 * 0.5));
 }
@@ -135,7 +135,7 @@ TEST_CASE("a trial without legs and one that begins at the light score 0", "[goa
     TrialRecord record;
     record.body_length = 1.0;
     CHECK(seeking().score(record).value == 0.0);
-    record.legs.begin(0.0, 1.0);
+    record.legs.begin(0.0, Vec3(0.0, 0.0, 0.0), 1.0);
     record.legs.watch(2.0);
     CHECK(seeking().score(record).value == 0.0);
 }

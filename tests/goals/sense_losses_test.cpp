@@ -11,11 +11,30 @@ using test::kinds;
 
 namespace {
 
-SenseLosses losses_of(const char* sample) {
-    const auto document =
-        load_creature(std::string(CAMBRIAN_SOURCE_DIR "/assets/creatures/") + sample, kinds());
+CreatureDocument sample_of(const char* name) {
+    auto document =
+        load_creature(std::string(CAMBRIAN_SOURCE_DIR "/assets/creatures/") + name, kinds());
     REQUIRE(document);
-    return sense_losses(document->creature.individual->genome, document->settings(), kinds());
+    return *std::move(document);
+}
+
+SenseLosses losses_of(const char* sample) {
+    const CreatureDocument document = sample_of(sample);
+    double done = 0.0;
+    const SenseLosses losses =
+        sense_losses(document.creature.individual->genome, document.settings(), kinds(), {},
+                     [&done](double share) {
+                         CHECK(share >= done);
+                         done = share;
+                     });
+    CHECK(done > 0.9);
+    CHECK(done < 1.0);
+    return losses;
+}
+
+bool needs(const char* sample) {
+    const CreatureDocument document = sample_of(sample);
+    return needs_senses(document.creature.individual->genome, document.settings(), kinds());
 }
 
 }  // namespace
@@ -24,6 +43,7 @@ TEST_CASE("who walks away from a wall on either side needs to sense it", "[evolu
     const SenseLosses losses = losses_of("dodger.creature.json");
     CHECK(losses.intact > 0.6);
     CHECK(losses.without_all < 0.2 * losses.intact);
+    CHECK(needs("dodger.creature.json"));
     REQUIRE_FALSE(losses.each.empty());
     double least = losses.intact;
     for (const SenseLoss& loss : losses.each)
@@ -35,4 +55,5 @@ TEST_CASE("a walker that hears its senses in vain loses nothing", "[evolution][s
     const SenseLosses losses = losses_of("pacer.creature.json");
     REQUIRE_FALSE(losses.each.empty());
     CHECK(losses.without_all > 0.9 * losses.intact);
+    CHECK_FALSE(needs("pacer.creature.json"));
 }

@@ -69,14 +69,17 @@ TEST_CASE("channels have the absolute numbers genes rely on", "[sensors]") {
         for (const SensorChannel& channel : sensor.channels)
             channels.push_back(channel.id);
     }
-    CHECK(channels == std::vector<std::string>{
-                          "joint",         "contact-distal", "contact-left",  "contact-proximal",
-                          "contact-right", "accel-along",    "accel-across",  "joint-rate",
-                          "effort",        "spin",           "up-along",      "up-across",
-                          "load",          "light-along",    "light-across",  "light",
-                          "sound-1",       "sound-2",        "sound-3",       "sound-4",
-                          "smell",         "stretch",        "stretch-rate",  "smell-food",
-                          "smell-flesh",   "energy",         "obstacle-left", "obstacle-right"});
+    CHECK(channels ==
+          std::vector<std::string>{
+              "joint",          "contact-distal", "contact-left",     "contact-proximal",
+              "contact-right",  "accel-along",    "accel-across",     "joint-rate",
+              "effort",         "spin",           "up-along",         "up-across",
+              "load",           "light-along",    "light-across",     "light",
+              "sound-1",        "sound-2",        "sound-3",          "sound-4",
+              "smell",          "stretch",        "stretch-rate",     "smell-food",
+              "smell-flesh",    "energy",         "obstacle-left",    "obstacle-right",
+              "whisker-distal", "whisker-left",   "whisker-proximal", "whisker-right",
+              "ground-left",    "ground-right"});
 }
 
 TEST_CASE("only joint and contact sensors are used unless settings say otherwise", "[sensors]") {
@@ -279,6 +282,47 @@ TEST_CASE("noses for plants and flesh read as the one for scent", "[sensors][sme
     CHECK(bench.read("smell-food") == Approx(0.25 * std::log(2.0)));
     CHECK(bench.read("smell-flesh") == Approx(1.0));
     CHECK(bench.read("smell") == 0.0);
+}
+
+TEST_CASE("each whisker feels out of its own face, sides exchanged on mirrored parts",
+          "[sensors][whisker]") {
+    struct Row {
+        double angle;
+        int handedness;
+        const char* whisker;  // that points to the left
+        Vec3 face;
+    };
+    for (const Row& row : {Row{0.0, 1, "whisker-proximal", {-0.1, 0.7, 0.0}},
+                           Row{kPi, 1, "whisker-distal", {-0.1, 0.7, 0.0}},
+                           Row{0.5 * kPi, 1, "whisker-left", {0.2, 0.7, 0.0}},
+                           Row{0.5 * kPi, -1, "whisker-right", {0.2, 0.7, 0.0}},
+                           Row{-0.5 * kPi, 1, "whisker-right", {0.2, 0.7, 0.0}},
+                           Row{-0.5 * kPi, -1, "whisker-left", {0.2, 0.7, 0.0}}}) {
+        Bench bench;
+        bench.turn(row.angle);
+        bench.handedness = row.handedness;
+        bench.scene.half_extents[0] = Vec3(0.4, 0.1, 0.0);
+        for (const char* whisker :
+             {"whisker-distal", "whisker-left", "whisker-proximal", "whisker-right"}) {
+            const bool points_left = std::string(whisker) == row.whisker;
+            CHECK(bench.read(whisker) == Approx(points_left ? 0.6 : 0.0));
+            if (points_left) CHECK((bench.surroundings.felt - row.face).norm() < 1e-12);
+        }
+        bench.surroundings.to_the_left = 1.5;
+        CHECK(bench.read(row.whisker) == 0.0);
+    }
+}
+
+TEST_CASE("the height of the ground is that beside the part above that below it",
+          "[sensors][whisker]") {
+    Bench bench;
+    CHECK(bench.read("ground-right") == Approx(0.2));  // 5 cm of 25
+    CHECK(bench.read("ground-left") == Approx(-0.2));
+    bench.handedness = -1;
+    CHECK(bench.read("ground-right") == Approx(-0.2));
+    bench.surroundings.slope = -9.0;
+    CHECK(bench.read("ground-right") == 1.0);
+    CHECK(bench.read("ground-left") == -1.0);
 }
 
 TEST_CASE("hunger reads the store as a share of that at birth, up to 4", "[sensors]") {

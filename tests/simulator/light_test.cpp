@@ -118,6 +118,37 @@ TEST_CASE("jumps are 3 to 6 rest lengths from where the creature is", "[simulato
     CHECK(distances.size() == 250);
 }
 
+TEST_CASE("a light that hunts jumps, follows who flees, and stays where it is passed",
+          "[simulator][light]") {
+    for (const bool has_ground : {false, true}) {
+        const Environment environment = lit("hunting", has_ground);
+        LightSource light(environment, {3, 0});
+        Vec3 at(1.0, 0.4, 0.0);
+        light.move(0, at, kLength);
+        CHECK(light.place() == jumps(lit("jumping", has_ground), {3, 0}, at).front());
+        const auto distance = [&] {
+            Vec3 way = light.place() - at;
+            if (has_ground) way.y() = 0.0;
+            return way.norm();
+        };
+        const double first = distance();
+        const double height = light.place().y();
+        const Vec3 away = (at - light.place()).normalized();
+        for (std::uint64_t tick = 1; tick < 100; ++tick) {
+            at += 0.01 * away;
+            light.move(tick, at, kLength);
+            CHECK(distance() == Approx(first));
+            if (has_ground) CHECK(light.place().y() == Approx(height));
+        }
+        const Vec3 stayed = light.place();
+        at -= 0.2 * first * away;
+        light.move(100, at, kLength);
+        CHECK(light.place() == stayed);
+        light.move(light.leg_ticks(), at, kLength);
+        CHECK(light.place() != stayed);
+    }
+}
+
 TEST_CASE("trials of a pair are mirror images, those of another pair are not",
           "[simulator][light]") {
     for (const bool has_ground : {false, true}) {
@@ -183,6 +214,7 @@ TEST_CASE("a creature does not rest while a light can still move", "[simulator][
     CHECK(run(dreamer, lit("still", true)).computed_time < 5.0);
     CHECK(run(dreamer, lit("jumping", true)).computed_time == Approx(15.0));
     CHECK(run(dreamer, lit("wandering", true)).computed_time == Approx(15.0));
+    CHECK(run(dreamer, lit("hunting", true)).computed_time == Approx(15.0));
     Environment off = lit("jumping", true);
     off.has_light = false;
     CHECK(run(dreamer, off).computed_time < 5.0);

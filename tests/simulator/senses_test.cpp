@@ -14,18 +14,23 @@ using namespace cambrian;
 
 namespace {
 
-// Obstacles are to the left or right in the world, which is the same upside down.
-FounderSettings all_senses() {
+// Obstacles are to the left or right in the world, which is the same upside down. Without ground,
+// whiskers and heights of the ground read 0.
+FounderSettings all_senses(bool has_ground) {
     FounderSettings founders;
-    for (const ChannelEntry& channel : test::creature_kinds().catalog.channels)
-        founders.channels[channel.id] = channel.id.find("obstacle") == std::string::npos;
+    for (const ChannelEntry& channel : test::creature_kinds().catalog.channels) {
+        const bool feels_ground =
+            channel.id.starts_with("whisker") || channel.id.starts_with("ground");
+        founders.channels[channel.id] =
+            !channel.id.starts_with("obstacle") && (has_ground || !feels_ground);
+    }
     return founders;
 }
 
-Phenotype random_senser(RandomStream& stream) {
+Phenotype random_senser(RandomStream& stream, bool has_ground) {
     const Kinds& kinds = test::creature_kinds();
-    return express(random_genome(all_senses(), kinds.catalog, stream), kinds, ExpressionSettings{},
-                   SceneSettings{});
+    return express(random_genome(all_senses(has_ground), kinds.catalog, stream), kinds,
+                   ExpressionSettings{}, SceneSettings{});
 }
 
 // Returns the mirror image of a creature whose joints are all rotary. `flip` reverses widths.
@@ -116,7 +121,7 @@ TEST_CASE("mirror twins feel the same in worlds turned upside down", "[simulator
     int compared = 0;
     int sensors = 0;
     for (int i = 0; i < creatures; ++i) {
-        const Phenotype creature = random_senser(stream);
+        const Phenotype creature = random_senser(stream, false);
         const auto trial = begin(creature, world);
         const auto mirrored = begin(mirror_twin(creature, Flip::kUpsideDown), mirrored_world);
         double most = 0.0;
@@ -142,7 +147,7 @@ TEST_CASE("mirror twins on the ground feel the same until their contacts differ"
     int compared = 0;
     int unstable = 0;
     for (int i = 0; i < creatures; ++i) {
-        const Phenotype creature = random_senser(stream);
+        const Phenotype creature = random_senser(stream, true);
         const auto trial = begin(creature, world);
         const auto mirrored = begin(mirror_twin(creature, Flip::kWidth), mirrored_world);
         const auto rounded = begin(nudged(creature), world);
@@ -166,7 +171,7 @@ TEST_CASE("a restored trial of a creature with every sensor goes on with the sam
     RandomStream stream(stream_seed({19, 73}));
     int compared = 0;
     for (int i = 0; i < 30; ++i) {
-        const auto trial = begin(random_senser(stream), long_trial(true));
+        const auto trial = begin(random_senser(stream, true), long_trial(true));
         for (int tick = 0; tick < 100; ++tick)
             trial->tick();
         const Trial::State state = trial->save();
@@ -189,7 +194,7 @@ TEST_CASE("a restored trial of a creature with every sensor goes on with the sam
 
 TEST_CASE("up is against gravity, and follows a world changed by hand", "[simulator][senses]") {
     RandomStream stream(stream_seed({20, 73}));
-    const auto trial = begin(random_senser(stream), {});
+    const auto trial = begin(random_senser(stream, true), {});
     CHECK((trial->surroundings().up() - Vec3::UnitY()).norm() < 1e-12);
     Environment sideways;
     sideways.gravity_direction = 0.0;

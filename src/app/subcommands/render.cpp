@@ -43,6 +43,7 @@ struct RenderOptions {
     std::optional<double> seconds;
     std::optional<double> from;
     std::optional<double> to;
+    std::optional<int> trial;
     bool card = false;
     bool animated = false;
     bool dithered = false;
@@ -50,10 +51,10 @@ struct RenderOptions {
 
 // Returns whether an option is given that only pictures and clips have.
 bool has_options_of_drawings(const RenderOptions& options) {
-    const bool counted = options.poses || options.frames_a_second || options.speed ||
-                         options.seconds || options.from || options.to;
+    const bool numbered = options.poses || options.frames_a_second || options.speed ||
+                          options.seconds || options.from || options.to || options.trial;
     const bool flagged = options.card || options.animated || options.dithered;
-    return counted || flagged || !options.environment.empty() || !options.size.empty() ||
+    return numbered || flagged || !options.environment.empty() || !options.size.empty() ||
            options.theme != "dark";
 }
 
@@ -124,10 +125,11 @@ Status check_options(const RenderOptions& options, const Product& product) {
 // Rejects options that have no meaning for a preserve.
 Status check_preserve_options(const RenderOptions& options, const Product& product) {
     if (product.is_card()) return Error{options.creature + ": a preserve has no card"};
-    if (options.poses || options.seconds || !options.environment.empty())
-        return Error{options.creature +
-                     ": --poses, --seconds and --environment are for creatures; a preserve's times "
-                     "are --from and --to"};
+    if (options.poses || options.seconds || options.trial || !options.environment.empty())
+        return Error{
+            options.creature +
+            ": --poses, --seconds, --trial and --environment are for creatures; a preserve's times "
+            "are --from and --to"};
     if (product.format == nullptr && options.to)
         return Error{options.out + ": --to is for clips (*.mp4, *.gif, *.apng)"};
     return {};
@@ -186,6 +188,10 @@ public:
         take_real(*app.add_option("--to", options_.to,
                                   "Time of a preserve, in seconds, at which a clip ends"),
                   0.0, kMostPreserveSeconds);
+        take_whole(*app.add_option("--trial", options_.trial,
+                                   "Number of the trial to show, of those that a score combines; "
+                                   "the first by default"),
+                   1, 50);
         app.add_option(
                "-e,--environment", options_.environment,
                "Settings file whose environment and goal are used instead of the creature's own")
@@ -220,7 +226,10 @@ public:
         if (!path) return fail(path.error());
         LongWork work;
         work.begin("simulating", settings->world.trial.duration);
-        const auto subject = subject_of(*document, *settings, title(), kinds, work.watch());
+        if (const Status known = check_trial(options_.trial, options_.creature, *settings); !known)
+            return fail(known.error());
+        const auto subject = subject_of(*document, *settings, title(), kinds, work.watch(),
+                                        options_.trial.value_or(1) - 1);
         if (!subject) return fail(subject.error(), ExitStatus::kFailed);
         if (subject->verified == false)
             say(options_.creature + ": the motion differs from that of the scored trial");

@@ -32,6 +32,7 @@ struct SimulateOptions {
     std::optional<double> seconds;
     std::optional<double> tolerance;
     std::optional<int> repeat;
+    std::optional<int> trial;
     std::vector<std::string> sets;
     bool senses = false;
     bool json = false;
@@ -90,9 +91,15 @@ public:
                                    "Number of further trials in slightly different worlds, whose "
                                    "median score and range tell skill from luck; none by default"),
                    1, 1000);
-        app.add_option("--trace", options_.trace,
-                       "File for every part's motion, as CSV with one row per tick (1/60 s)")
-            ->type_name(option_type::kTable);
+        auto& trace = *app.add_option("--trace", options_.trace,
+                                      "File for every part's motion, as CSV with one row per tick "
+                                      "(1/60 s)")
+                           ->type_name(option_type::kTable);
+        take_whole(*app.add_option("--trial", options_.trial,
+                                   "Number of the trial whose motion is written, of those that the "
+                                   "score combines; the first by default")
+                        ->needs(&trace),
+                   1, 50);
         app.add_flag(
             "--senses", options_.senses,
             "Score that is left, in trials that no generation uses, if the senses read their "
@@ -115,10 +122,12 @@ public:
         if (!settings) return fail(settings.error());
         if (!options_.environment.empty())
             say_of(options_.creature, foreign_kinds(document->genome(), settings->founders, kinds));
+        if (const Status known = check_trial(options_.trial, options_.creature, *settings); !known)
+            return fail(known.error());
         const GenomePtr& genome = document->creature.individual->genome;
         LongWork work;
         if (!options_.trace.empty()) {
-            const ExitStatus traced = write_trace(*genome, *settings, kinds.creature, work);
+            const ExitStatus traced = write_trace(genome, *settings, kinds.creature, work);
             if (traced != ExitStatus::kDone) return traced;
         }
         work.begin("evaluating", settings->world.trial.duration * settings->world.trial.trials);
@@ -145,14 +154,16 @@ public:
     }
 
 private:
-    ExitStatus write_trace(const Genome& genome, const ExperimentSettings& settings,
+    ExitStatus write_trace(const GenomePtr& genome, const ExperimentSettings& settings,
                            const Kinds& kinds, LongWork& work) const {
         const auto path = output_path(options_.trace, "trace.csv", files());
         if (!path) return fail(path.error());
         Result<OutputStream> output = OutputStream::open(*path);
         if (!output) return fail(output.error());
         work.begin("tracing", settings.world.trial.duration);
-        Status written = write_motion_trace(*output, genome, settings, kinds, work.watch());
+        Status written = write_motion_trace(
+            *output, trial_setup(genome, settings, options_.trial.value_or(1) - 1),
+            settings.expression, kinds, work.watch());
         if (written) written = output->finish();
         return written ? ExitStatus::kDone : fail(written.error(), ExitStatus::kFailed);
     }

@@ -1,7 +1,10 @@
 #include "app/trial/creature_world.h"
 
+#include "core/text/counted.h"
 #include "evolution/settings/goal_defaults.h"
 #include "persist/settings/settings_file.h"
+
+#include <fmt/core.h>
 
 namespace cambrian {
 
@@ -11,6 +14,14 @@ Result<ExperimentSettings> world_of(const CreatureDocument& document,
     ExperimentSettings settings = document.settings();
     if (const GoalKind* goal = kinds.goals.find(settings.goal)) allow_senses(settings, *goal);
     return settings;
+}
+
+Status check_trial(const std::optional<int>& asked, const std::string& creature,
+                   const ExperimentSettings& settings) {
+    const int trials = settings.world.trial.trials;
+    if (asked.value_or(1) <= trials) return {};
+    return Error{fmt::format("{}: its score combines {}, so there is no trial {}", creature,
+                             counted(static_cast<std::size_t>(trials), "trial"), *asked)};
 }
 
 }  // namespace cambrian

@@ -5,6 +5,7 @@
 #include "evolution/settings/experiment_settings.h"
 #include "persist/creature/creature_file.h"
 
+#include <optional>
 #include <string>
 
 namespace cambrian {
@@ -13,5 +14,9 @@ namespace cambrian {
 // those that scored the creature, or else the defaults.
 Result<ExperimentSettings> world_of(const CreatureDocument& document,
                                     const std::string& environment, const EvolutionKinds& kinds);
+
+// Fails if the creature's score combines fewer trials than the one asked for, counted from 1.
+Status check_trial(const std::optional<int>& asked, const std::string& creature,
+                   const ExperimentSettings& settings);
 
 }  // namespace cambrian

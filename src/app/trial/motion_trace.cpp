@@ -93,12 +93,12 @@ void add_row(std::string& text, const Trial& trial) {
 
 }  // namespace
 
-Status write_motion_trace(OutputStream& output, const Genome& genome,
-                          const ExperimentSettings& settings, const Kinds& kinds,
+Status write_motion_trace(OutputStream& output, const TrialSetup& setup,
+                          const ExpressionSettings& expression, const Kinds& kinds,
                           const TrialWatch& watch) {
     auto phenotype = std::make_shared<const Phenotype>(
-        express(genome, kinds, settings.expression, settings.world.scene));
-    auto started = Trial::start(std::move(phenotype), kinds, first_trial_world(settings));
+        express(*setup.genome, kinds, expression, setup.world.scene));
+    auto started = Trial::start(std::move(phenotype), kinds, setup.world);
     if (!started) return started.error();
     Trial& trial = **started;
     while (trial.settling() && trial.tick()) {

@@ -7,16 +7,15 @@
 
 #include "core/files/output_stream.h"
 #include "core/result.h"
-#include "evolution/settings/experiment_settings.h"
-#include "genome/genome.h"
+#include "evolution/evaluation/trials.h"
 #include "simulator/trial_watch.h"
 
 namespace cambrian {
 
-// Runs the first trial and writes it row by row. Fails if physics rejects the body, if a stop is
+// Runs a trial and writes it row by row. Fails if physics rejects the body, if a stop is
 // requested or if the output cannot be written.
-Status write_motion_trace(OutputStream& output, const Genome& genome,
-                          const ExperimentSettings& settings, const Kinds& kinds,
+Status write_motion_trace(OutputStream& output, const TrialSetup& setup,
+                          const ExpressionSettings& expression, const Kinds& kinds,
                           const TrialWatch& watch);
 
 }  // namespace cambrian

@@ -6,6 +6,7 @@
 #include "evolution/evaluation/evaluation.h"
 
 #include <cstddef>
+#include <functional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -27,8 +28,15 @@ struct SenseLosses {
 
 // Constants are chosen in the same trials, which favours them: five sets for all sensors together
 // (0, least, greatest, mean and middle readings), then six for each. After a stop request the rest
-// is missing.
+// is missing. `note` is told the share that is done, on the same thread.
 SenseLosses sense_losses(const GenomePtr& genome, const ExperimentSettings& settings,
-                         const EvolutionKinds& kinds, const std::stop_token& stop = {});
+                         const EvolutionKinds& kinds, const std::stop_token& stop = {},
+                         const std::function<void(double)>& note = {});
+
+// A creature that keeps a larger share of its score with constants does not need its senses.
+inline constexpr double kNeededShare = 0.9;
+// Returns whether a creature needs its senses; the same search, which ends when that is known.
+bool needs_senses(const GenomePtr& genome, const ExperimentSettings& settings,
+                  const EvolutionKinds& kinds, const std::stop_token& stop = {});
 
 }  // namespace cambrian

@@ -110,6 +110,18 @@ TrialWorld first_trial_world(const ExperimentSettings& settings) {
     return world;
 }
 
+TrialSetup trial_setup(const GenomePtr& genome, const ExperimentSettings& settings, int trial) {
+    TrialSetup setup{genome, first_trial_world(settings)};
+    setup.world.light.trial = trial;
+    if (trial == 0) return setup;
+    const Jitter jitter = jitter_of(setup.world.light.seed, trial, settings.world.trial);
+    setup.world.environment.friction *= jitter.friction_factor;
+    Genome turned = *genome;
+    turn_root(turned, jitter.tilt, jitter.heading);
+    setup.genome = std::make_shared<const Genome>(std::move(turned));
+    return setup;
+}
+
 EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
                                     const ExperimentSettings& settings, const EvolutionKinds& kinds,
                                     const std::stop_token& stop) {

@@ -16,6 +16,14 @@ std::uint64_t trial_seed(const ExperimentSettings& settings);
 // Returns the world of the first trial, with its random draw. A replay shows this trial.
 TrialWorld first_trial_world(const ExperimentSettings& settings);
 
+// A creature and its world as one of the settings' trials judges them.
+struct TrialSetup {
+    GenomePtr genome;
+    TrialWorld world;
+};
+// `trial` counts from 0; the settings have at least one more.
+TrialSetup trial_setup(const GenomePtr& genome, const ExperimentSettings& settings, int trial);
+
 // The change of world and creature in a trial; trial 0 has none.
 struct Jitter {
     double friction_factor = 1.0;

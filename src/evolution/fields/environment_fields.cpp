@@ -10,8 +10,13 @@ bool has_light(const Settings& settings) {
     return settings.world.environment.has_light;
 }
 
+bool has_ground(const Settings& settings) {
+    return settings.world.environment.has_ground;
+}
+
 bool jumps(const Settings& settings) {
-    return has_light(settings) && settings.world.environment.light_motion == "jumping";
+    const std::string& motion = settings.world.environment.light_motion;
+    return has_light(settings) && (motion == "jumping" || motion == "hunting");
 }
 
 bool wanders(const Settings& settings) {
@@ -60,7 +65,8 @@ void add_light(TableBuilder& world) {
     later(world.choice(
               &Environment::light_motion, "light-motion", "Light, motion",
               {kLightMotionIds.begin(), kLightMotionIds.end()},
-              "The light stays, jumps again and again to a point around the creature, or wanders."),
+              "The light stays, jumps again and again to a point around the creature, wanders, or "
+              "hunts: it jumps and then follows."),
           has_light);
     later(world.number(
               &Environment::light_range, "light-range", "Light, range", "m", Range{0, 1000},
@@ -106,9 +112,9 @@ void add_wall(TableBuilder& world) {
                        Range{0.1, 100}, "The greatest distance of the wall from the body."),
           has_wall);
     later(world.flag(&Environment::numb, "numbness", "Numbness",
-                     "Sensors of obstacles read 0. This is for comparisons of evolution with and "
-                     "without them."),
-          has_wall);
+                     "Sensors of obstacles, whiskers and heights of the ground read 0. This is for "
+                     "comparisons of evolution with and without them."),
+          has_ground);
 }
 
 // Switches for comparisons, which do not change what creatures are made of.

@@ -39,12 +39,14 @@ std::vector<CountedMuscles> muscles_of(const Phenotype& phenotype) {
 
 Result<Subject> subject_of(const CreatureDocument& document, const ExperimentSettings& settings,
                            const std::string& title, const EvolutionKinds& kinds,
-                           const TrialWatch& watch) {
+                           const TrialWatch& watch, int number) {
+    TrialSetup setup = trial_setup(document.creature.individual->genome, settings, number);
     auto phenotype = std::make_shared<const Phenotype>(
-        express(document.genome(), kinds.creature, settings.expression, settings.world.scene));
-    auto trial = record_trial(phenotype, kinds.creature, first_trial_world(settings), watch);
+        express(*setup.genome, kinds.creature, settings.expression, settings.world.scene));
+    auto trial = record_trial(phenotype, kinds.creature, setup.world, watch);
     if (!trial) return trial.error();
     Subject subject;
+    subject.world = std::move(setup.world);
     subject.creature = document.creature;
     subject.creature.settings = std::make_shared<const ExperimentSettings>(settings);
     subject.name = on_one_line(document.genome().name.empty() ? title : document.genome().name);

@@ -21,6 +21,7 @@ struct Subject {
     std::string fitness;                      // with its unit; empty if it has no score
     std::optional<std::uint32_t> generation;  // generation of its birth
     RecordedTrial trial;
+    TrialWorld world;   // of the recorded trial
     double mass = 0.0;  // kg
     // Whether the trial, when repeated, had the same motion as when it was scored. Empty if the
     // document does not record the motion or describes another trial.
@@ -39,10 +40,10 @@ struct CountedMuscles {
 // Returns the kinds of muscles that a creature has; without any, 0 moving joints.
 std::vector<CountedMuscles> muscles_of(const Phenotype& phenotype);
 
-// Runs the creature's trial with the settings. `title` is used for a creature without a name. Fails
-// under the same conditions as record_trial().
+// Runs one of the creature's trials with the settings, counted from 0. `title` is used for a
+// creature without a name. Fails under the same conditions as record_trial().
 Result<Subject> subject_of(const CreatureDocument& document, const ExperimentSettings& settings,
                            const std::string& title, const EvolutionKinds& kinds,
-                           const TrialWatch& watch = {});
+                           const TrialWatch& watch = {}, int trial = 0);
 
 }  // namespace cambrian

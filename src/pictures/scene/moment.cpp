@@ -4,6 +4,7 @@
 #include "core/text/pretty_text.h"
 #include "pictures/scene/bout_scene.h"
 #include "pictures/scene/follow_camera.h"
+#include "pictures/scene/hunter.h"
 #include "pictures/scene/living_look.h"
 #include "pictures/scene/shaped_ground.h"
 #include "pictures/scene/small_life.h"
@@ -105,7 +106,11 @@ SceneFrame scene_of(const Subject& subject, const Moment& moment, const Camera& 
         const Vec2 place = shown.light->head<2>();
         if (style.world != nullptr)
             add_lamp(scene, camera, viewport, place, subject.environment().light_reach);
-        add_light(scene, camera, viewport, place);
+        if (subject.environment().light_motion == "hunting") {
+            add_hunter(scene, place, shown.center_of_mass.head<2>(), moment.time);
+        } else {
+            add_light(scene, camera, viewport, place);
+        }
     }
     add_being(scene, style.palette, camera, look);
     if (style.world != nullptr) add_foreground(scene, *style.world, camera, viewport, moment.time);

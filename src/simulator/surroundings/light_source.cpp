@@ -66,6 +66,8 @@ void LightSource::move(std::uint64_t tick, const Vec3& center, double length) {
         wander();
     } else if (tick % leg_ticks() == 0) {
         jump(tick / leg_ticks(), center, length);
+    } else if (environment_.light_motion == "hunting") {
+        follow(center);
     }
 }
 
@@ -79,6 +81,7 @@ void LightSource::jump(std::uint64_t leg, const Vec3& center, double length) {
     RandomStream stream(leg_seed(draw_, leg));
     const double distance =
         length * stream.uniform(environment_.light_nearest, environment_.light_farthest);
+    moment_.distance = distance;
     if (environment_.has_ground) {
         const double side = stream.chance(0.5) ? side_of(draw_) : -side_of(draw_);
         moment_.place = {center.x() + side * distance, kHeight * length, 0.0};
@@ -86,6 +89,14 @@ void LightSource::jump(std::uint64_t leg, const Vec3& center, double length) {
         const SineCosine way = sine_cosine(stream.uniform(-kPi, kPi));
         moment_.place = center + distance * Vec3(side_of(draw_) * way.cosine, way.sine, 0.0);
     }
+}
+
+// Lets a light that hunts follow a creature that flees, so that it stays where it was seen.
+void LightSource::follow(const Vec3& center) {
+    Vec3 way = moment_.place - center;
+    if (environment_.has_ground) way.y() = 0.0;
+    const double distance = way.norm();
+    if (distance > moment_.distance) moment_.place -= (1.0 - moment_.distance / distance) * way;
 }
 
 // Integrates v' = -v / (2 s) + noise. The light is reflected at a box around its start and at the

@@ -42,6 +42,7 @@ public:
     struct Moment {
         Vec3 place = Vec3::Zero();     // m
         Vec3 velocity = Vec3::Zero();  // m/s, of a wandering light
+        double distance = 0.0;         // m from the creature, of the last jump
         RandomStream noise;
     };
     const Moment& save() const { return moment_; }
@@ -49,6 +50,7 @@ public:
 
 private:
     void jump(std::uint64_t leg, const Vec3& center, double length);
+    void follow(const Vec3& center);
     void wander();
 
     Environment environment_;

@@ -1,8 +1,12 @@
 #include "simulator/surroundings/trial_surroundings.h"
 
 #include "math/angle.h"
+#include "simulator/surroundings/ground_ray.h"
 #include "simulator/surroundings/impact_noise.h"
 #include "simulator/surroundings/side_wall.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace cambrian {
 namespace {
@@ -31,13 +35,16 @@ TrialSurroundings::TrialSurroundings(const Environment& environment, const Light
     : environment_(environment), used_(used), source_(environment, draw) {
     sounds_.reserve(used.voices + kMostImpacts);
     find_up();
+    find_ground();
     lay_out_field();
 }
 
 void TrialSurroundings::set_environment(const Environment& environment) {
     const bool moved_floor = has_floor(environment) != has_floor(environment_);
+    const bool other_shape = !(environment.terrain == environment_.terrain);
     environment_ = environment;
     find_up();
+    if (other_shape) find_ground();
     source_.set_environment(environment);
     if (moved_floor) lay_out_field();
 }
@@ -45,6 +52,12 @@ void TrialSurroundings::set_environment(const Environment& environment) {
 void TrialSurroundings::find_up() {
     const SineCosine pull = sine_cosine_of_degrees(environment_.gravity_direction);
     up_ = environment_.gravity > 0.0 ? Vec3(-pull.cosine, -pull.sine, 0.0) : Vec3(Vec3::Zero());
+}
+
+void TrialSurroundings::find_ground() {
+    terrain_.reset();
+    if (!used_.feels_ground || environment_.terrain.is_flat()) return;
+    if (auto terrain = Terrain::make(environment_.terrain)) terrain_ = std::move(*terrain);
 }
 
 void TrialSurroundings::lay_out_field() {
@@ -59,6 +72,21 @@ double TrialSurroundings::scent(const Vec3& point) const {
 double TrialSurroundings::obstacle(const Vec3& point, int direction) const {
     if (environment_.numb || wall_ == nullptr) return Surroundings::obstacle(point, direction);
     return distance_to_wall(*wall_, point, direction);
+}
+
+double TrialSurroundings::distance_to_ground(const Vec3& from, const Vec3& direction,
+                                             double reach) const {
+    if (environment_.numb) return Surroundings::distance_to_ground(from, direction, reach);
+    double nearest = Surroundings::distance_to_ground(from, direction, reach);
+    if (environment_.has_ground)
+        nearest = terrain_ ? distance_to_terrain(*terrain_, from, direction, reach)
+                           : distance_to_level_ground(from, direction);
+    if (wall_ != nullptr) nearest = std::min(nearest, distance_to_box(*wall_, from, direction));
+    return nearest;
+}
+
+double TrialSurroundings::ground_height(double x) const {
+    return environment_.numb || !environment_.has_ground || !terrain_ ? 0.0 : terrain_->height(x);
 }
 
 void TrialSurroundings::take_all(const Emissions& emissions, std::span<const SceneImpact> impacts,

@@ -9,7 +9,9 @@
 #include "world/fixed_box.h"
 #include "world/physics_scene.h"
 #include "world/surroundings.h"
+#include "world/terrain.h"
 
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -28,6 +30,8 @@ public:
     double sound(const Vec3& /*point*/, int /*band*/) const override { return 0.0; }
     double scent(const Vec3& point) const override;
     double obstacle(const Vec3& point, int direction) const override;
+    double distance_to_ground(const Vec3& from, const Vec3& direction, double reach) const override;
+    double ground_height(double x) const override;
     // Takes the trial's wall, which must outlive the object, or null.
     void set_wall(const FixedBox* wall) { wall_ = wall; }
 
@@ -63,11 +67,13 @@ private:
                   std::uint64_t tick);
     void find_up();
     void lay_out_field();
+    void find_ground();
 
     Environment environment_;
     UsedSenses used_;
     Vec3 up_ = Vec3::Zero();
     const FixedBox* wall_ = nullptr;
+    std::shared_ptr<const Terrain> terrain_;  // null unless a sense feels its shape
     LightSource source_;
     std::vector<Sound> sounds_;
     std::optional<ScentField> field_;

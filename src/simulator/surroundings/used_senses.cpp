@@ -9,8 +9,11 @@ UsedSenses senses_of(const Phenotype& phenotype, const Kinds& kinds) {
         used.scents |= kind.scents;
         used.voices += kind.sounds ? 1 : 0;
     }
-    for (const WiredSensor& sensor : phenotype.sensors)
-        used.smells |= kinds.sensors[sensor.kind].smells;
+    for (const WiredSensor& sensor : phenotype.sensors) {
+        const SensorKind& kind = kinds.sensors[sensor.kind];
+        used.smells |= kind.smells;
+        used.feels_ground |= kind.feels_ground;
+    }
     return used;
 }
 

@@ -23,6 +23,10 @@ bool is_shown(const FrameContext& frame) {
     return !frame.viewer.playback.empty();
 }
 
+bool has_trials(const FrameContext& frame) {
+    return is_shown(frame) && frame.viewer.playback.exhibit().settings().world.trial.trials > 1;
+}
+
 }  // namespace
 
 std::vector<Action> creature_actions() {
@@ -33,6 +37,8 @@ std::vector<Action> creature_actions() {
         {"restart", "R", "Restart the creature on display", asks<RestartPlayback{}>, {}, {}, "", true},
         {"tick", ".", "Play one tick", asks<StepPlayback{}>, {}, {}, "", true},
         {"tick-back", ",", "Go back one tick", asks<StepPlaybackBack{}>, {}, {}, "", true},
+        {"trial-next", "Shift+.", "Next trial of the creature on display", asks<TurnTrial{1}>, has_trials, {}, "Of the trials that its score combines.", true},
+        {"trial-before", "Shift+,", "The trial before", asks<TurnTrial{-1}>, has_trials, {}, "", true},
         {"slower", "[", "Play slower", change_speed<-1>, {}, {}, "", true},
         {"faster", "]", "Play faster", change_speed<1>, {}, {}, "", true},
         {"follow", "F", "Follow the creature", toggles<&ViewState::follow>, {}, is_on<&ViewState::follow>, "The camera goes with it, or stays.", true},

@@ -82,13 +82,13 @@ std::vector<const JudgedIndividual*> choose_ghosts(const std::vector<JudgedIndiv
 }
 
 std::unique_ptr<Ghost> Ghost::start(const Companion& companion, const Kinds& kinds,
-                                    const Environment& environment) {
+                                    const Environment& environment, int trial) {
     const ExperimentSettings& settings = *companion.creature.settings;
-    TrialWorld world = first_trial_world(settings);
-    world.environment = environment;
+    TrialSetup setup = trial_setup(companion.creature.individual->genome, settings, trial);
+    setup.world.environment = environment;
     auto phenotype = std::make_shared<const Phenotype>(
-        express(companion.creature.genome(), kinds, settings.expression, world.scene));
-    auto replay = Replay::start(std::move(phenotype), kinds, world);
+        express(*setup.genome, kinds, settings.expression, setup.world.scene));
+    auto replay = Replay::start(std::move(phenotype), kinds, setup.world);
     if (!replay) return nullptr;
     return std::unique_ptr<Ghost>(new Ghost(companion, std::move(*replay)));
 }
@@ -167,9 +167,9 @@ void Ghosts::choose(const EvolutionSnapshot& snapshot, GhostChoice choice,
     }
 }
 
-void Ghosts::call_next(const Environment& environment) {
+void Ghosts::call_next(const Trial& beside, const Environment& environment) {
     if (called_.empty()) return;
-    auto ghost = Ghost::start(called_.back(), *kinds_, environment);
+    auto ghost = Ghost::start(called_.back(), *kinds_, environment, beside.world().light.trial);
     called_.pop_back();
     if (ghost != nullptr) ghosts_.push_back(std::move(ghost));
 }
@@ -177,8 +177,13 @@ void Ghosts::call_next(const Environment& environment) {
 void Ghosts::update(const EvolutionSnapshot& snapshot, GhostChoice choice, const Playback& playback,
                     double travel, double budget) {
     if (playback.empty()) return;
+    if (std::exchange(trial_, playback.creature().trial_number()) !=
+        playback.creature().trial_number()) {
+        ghosts_.clear();
+        basis_ = {};
+    }
     choose(snapshot, choice, playback);
-    call_next(playback.creature().replay().environment());
+    call_next(playback.trial(), playback.creature().replay().environment());
     if (playback.seeking()) return;
     const Stopwatch spent;
     bool moved = true;

@@ -29,9 +29,9 @@ struct Companion {
 
 class Ghost {
 public:
-    // `words` name it. Returns null if physics rejects the body.
+    // `words` name it. Returns null if physics rejects the body. `trial` is as in trial_setup().
     static std::unique_ptr<Ghost> start(const Companion& companion, const Kinds& kinds,
-                                        const Environment& environment);
+                                        const Environment& environment, int trial);
 
     // Moves one tick towards the tick of the displayed creature; returns false once there.
     bool follow(const Playback& playback);
@@ -75,7 +75,7 @@ public:
 
 private:
     void choose(const EvolutionSnapshot& snapshot, GhostChoice choice, const Playback& playback);
-    void call_next(const Environment& environment);
+    void call_next(const Trial& beside, const Environment& environment);
 
     const Kinds* kinds_;
     std::vector<std::unique_ptr<Ghost>> ghosts_;
@@ -92,6 +92,7 @@ private:
         friend bool operator==(const Basis&, const Basis&) = default;
     };
     Basis basis_;
+    int trial_ = 0;  // of the settings, that all are in
 };
 
 }  // namespace cambrian

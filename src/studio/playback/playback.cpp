@@ -22,6 +22,13 @@ void Playback::restart() {
     sought_.reset();
 }
 
+void Playback::show_trial(int trial) {
+    if (empty()) return;
+    creature_.show_trial(trial);
+    owed_ = 0.0;
+    sought_.reset();
+}
+
 double Playback::share() const {
     return pace_.playing ? std::clamp(owed_ / kBrainTick, 0.0, 1.0) : 1.0;
 }

@@ -24,6 +24,8 @@ public:
     // Plays another creature from its start. On failure, the creature before stays.
     Status show(Exhibit exhibit);
     void restart();
+    // Plays another of the creature's trials from its start (PlayedCreature::show_trial).
+    void show_trial(int trial);
 
     Pace& pace() { return pace_; }
     const Pace& pace() const { return pace_; }

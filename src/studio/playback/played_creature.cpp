@@ -19,8 +19,19 @@ Status PlayedCreature::show(Exhibit exhibit) {
     return {};
 }
 
+void PlayedCreature::show_trial(int trial) {
+    const TrialSetup setup = trial_setup(exhibit_.genome(), exhibit_.settings(), trial);
+    auto phenotype = std::make_shared<const Phenotype>(
+        express(*setup.genome, *kinds_, exhibit_.settings().expression, setup.world.scene));
+    auto replay = Replay::start(phenotype, *kinds_, setup.world);
+    if (!replay) return;
+    phenotype_ = std::move(phenotype);
+    readings_ = {};
+    begin(std::move(*replay));
+}
+
 void PlayedCreature::restart() {
-    TrialWorld world = first_trial_world(exhibit_.settings());
+    TrialWorld world = trial_setup(exhibit_.genome(), exhibit_.settings(), trial_number()).world;
     world.environment = replay_->environment();
     auto replay = Replay::start(phenotype_, *kinds_, world);
     if (replay) begin(std::move(*replay));

@@ -1,7 +1,7 @@
 #pragma once
 
-// The displayed creature and its trial, tick by tick. The trial is the one that is scored, plus
-// what the user does to it.
+// The displayed creature and its trial, tick by tick. The trial is one of those that are scored,
+// plus what the user does to it.
 
 #include "core/result.h"
 #include "studio/playback/exhibit.h"
@@ -20,8 +20,12 @@ public:
     // `kinds` must outlive the object.
     explicit PlayedCreature(const Kinds& kinds) : kinds_(&kinds) {}
 
-    // Expresses the creature and starts its trial. On failure, the creature before stays.
+    // Expresses the creature and starts the first of its trials. On failure, the creature before
+    // stays.
     Status show(Exhibit exhibit);
+    // Starts another of the trials that its score combines, counted from 0.
+    void show_trial(int trial);
+    int trial_number() const { return replay_->trial().world().light.trial; }
     // Restarts the trial as it was evaluated; an environment changed by the user is kept.
     void restart();
     void tick();

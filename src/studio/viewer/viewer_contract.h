@@ -6,6 +6,7 @@
 #include "studio/playback/ghosts.h"
 #include "studio/playback/playback.h"
 #include "studio/viewer/gene_editor.h"
+#include "studio/viewer/sense_study.h"
 
 #include <cstdint>
 #include <memory>
@@ -18,6 +19,11 @@ struct TogglePlayback {};
 struct RestartPlayback {};
 struct StepPlayback {};
 struct StepPlaybackBack {};
+// Plays the trial that comes so many after the displayed one, of those that the score combines; the
+// first follows the last.
+struct TurnTrial {
+    int steps = 1;
+};
 // Seeks a tick after the trial's start.
 struct SeekPlayback {
     std::uint64_t tick = 0;
@@ -52,6 +58,9 @@ struct HoldShown {};
 struct ShowExhibit {
     std::shared_ptr<const Exhibit> exhibit;
 };
+// Finds what the displayed creature loses without its senses, or gives that up.
+struct StudySenses {};
+struct StopSenseStudy {};
 // Replaces the displayed creature's genome by one with one gene changed.
 struct EditGenes {
     GenomePtr genome;
@@ -61,14 +70,16 @@ struct EditGenes {
 struct FinishGeneEdit {};
 
 using ViewerRequest =
-    std::variant<TogglePlayback, RestartPlayback, StepPlayback, StepPlaybackBack, SeekPlayback,
-                 FitView, LookFrom, PokePart, ReleasePoke, ForceNeuron, ReleaseNeuron,
-                 ShowHighlight, HoldShown, ShowExhibit, EditGenes, FinishGeneEdit>;
+    std::variant<TogglePlayback, RestartPlayback, StepPlayback, StepPlaybackBack, TurnTrial,
+                 SeekPlayback, FitView, LookFrom, PokePart, ReleasePoke, ForceNeuron, ReleaseNeuron,
+                 ShowHighlight, HoldShown, ShowExhibit, StudySenses, StopSenseStudy, EditGenes,
+                 FinishGeneEdit>;
 
 struct ViewerView {
     const Playback& playback;
     const ScoreReport* score = nullptr;  // score of the displayed creature, null until computed
     const GeneEditor* genes = nullptr;   // null if the creature cannot be edited
+    const SenseStudy* senses = nullptr;  // of the displayed creature; may be null
     std::span<const std::unique_ptr<Ghost>> ghosts = {};
     Highlight highlight = {};
     unsigned fits_asked = 0;             // number of FitView requests so far

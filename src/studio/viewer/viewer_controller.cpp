@@ -31,6 +31,14 @@ struct ViewerController::Handler {
         playback().step_back();
         self.log_tick();
     }
+    void operator()(const TurnTrial& request) const {
+        if (playback().empty()) return;
+        const int trials = playback().exhibit().settings().world.trial.trials;
+        const int shown = playback().creature().trial_number();
+        playback().show_trial((shown + request.steps + trials) % trials);
+        self.services_.feedback.log().write(
+            "trial", {{"number", static_cast<double>(playback().creature().trial_number())}});
+    }
     void operator()(const SeekPlayback& request) const { playback().seek(request.tick); }
     void operator()(const FitView&) const { ++self.facts_.fits_asked; }
     void operator()(const LookFrom& request) const {
@@ -62,6 +70,10 @@ struct ViewerController::Handler {
         self.view_.newest_champion = false;
         self.show(*request.exhibit);
     }
+    void operator()(const StudySenses&) const {
+        if (!playback().empty()) self.senses_.begin(playback().exhibit());
+    }
+    void operator()(const StopSenseStudy&) const { self.senses_.clear(); }
     void operator()(const EditGenes& request) const {
         if (playback().empty()) return;
         const auto faults = validate(*request.genome, self.services_.kinds.creature.catalog);
@@ -83,10 +95,12 @@ ViewerController::ViewerController(const Services& services, ViewState& view)
     : services_(services),
       view_(view),
       viewer_(services.worker, services.kinds),
+      senses_(services.kinds),
       ghosts_(services.kinds.creature),
-      facts_{.playback = viewer_.playback(), .genes = &genes_} {}
+      facts_{.playback = viewer_.playback(), .genes = &genes_, .senses = &senses_} {}
 
 void ViewerController::update(double elapsed, const EvolutionSnapshot& snapshot) {
+    senses_.update();
     viewer_.playback().pace().speed = view_.speed;
     viewer_.playback().advance(elapsed, kPlaybackBudget);
     const ScoreReport* score = viewer_.score();
@@ -115,6 +129,7 @@ void ViewerController::show(Exhibit exhibit) {
     if (Status status = viewer_.show(std::move(exhibit)); !status)
         return services_.feedback.report(status);
     genes_.clear();
+    senses_.clear();
     clear_highlight();
     shown_since_ = services_.feedback.now();
     services_.feedback.log().write("shown", {{"name", name}, {"title", title}, {"uid", uid}});
@@ -151,11 +166,13 @@ double ViewerController::shown_for() const {
 
 bool ViewerController::animating() const {
     const Playback& playback = viewer_.playback();
-    return (playback.pace().playing && !playback.empty()) || playback.seeking();
+    return (playback.pace().playing && !playback.empty()) || playback.seeking() ||
+           senses_.running();
 }
 
 void ViewerController::show_edited() {
     services_.feedback.report(viewer_.show(genes_.exhibit()));
+    senses_.clear();
     clear_highlight();
     shown_since_ = services_.feedback.now();
 }

@@ -59,6 +59,7 @@ private:
     Services services_;
     ViewState& view_;
     Viewer viewer_;
+    SenseStudy senses_;
     GeneEditor genes_;  // edits of the displayed creature
     Ghosts ghosts_;
     ViewerView facts_;

@@ -34,6 +34,33 @@ TEST_CASE("the displayed motion equals the scored one to the last bit", "[studio
     CHECK(playback.trial().record().digest == record->digest);
 }
 
+TEST_CASE("further trials are the scored ones, and restart as themselves", "[studio][playback]") {
+    ExperimentSettings settings = short_trial();
+    settings.world.trial.trials = 4;
+    settings.world.trial.tilt_jitter = 5.0;
+    settings.world.environment.has_wall = true;
+    Playback playback(test::kinds().creature);
+    const Exhibit exhibit = test::crawler_exhibit(settings);
+    REQUIRE(playback.show(exhibit));
+    for (const int trial : {3, 1, 0}) {
+        playback.show_trial(trial);
+        for (int repetition = 0; repetition < 2; ++repetition) {
+            CHECK(playback.creature().trial_number() == trial);
+            while (!playback.trial().finished())
+                playback.advance(1.0 / 60.0, kPlenty);
+            const TrialSetup setup = trial_setup(exhibit.genome(), settings, trial);
+            const auto phenotype = std::make_shared<const Phenotype>(
+                express(*setup.genome, test::kinds().creature, {}, {}));
+            const auto record = run_trial(phenotype, test::kinds().creature, setup.world);
+            REQUIRE(record);
+            CHECK(playback.trial().record().digest == record->digest);
+            playback.restart();
+        }
+    }
+    REQUIRE(playback.show(exhibit));
+    CHECK(playback.creature().trial_number() == 0);
+}
+
 TEST_CASE("playing twice as fast plays twice as far", "[studio][playback]") {
     Playback playback(test::kinds().creature);
     REQUIRE(playback.show(crawler_exhibit()));

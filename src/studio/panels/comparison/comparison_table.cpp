@@ -43,6 +43,15 @@ const std::array kArmColumns = {
                   const bool any = arm.result && arm.result->contest && arm.result->contest->ratio;
                   return any ? with_unit(*arm.result->contest->ratio, "x") : std::string();
               }},
+    ArmColumn{
+        "Senses",
+        "Champions that need their senses: they lose more than a tenth of their score if each "
+        "sense reads its best constant",
+        70,
+        [](const ComparedArm& arm, const std::string&) {
+            return arm.result ? fmt::format("{} of {}", arm.result->needing, arm.finished)
+                              : std::string();
+        }},
     ArmColumn{"p", "The probability that chance alone makes the two differ so much (Mann-Whitney)",
               92,
               [](const ComparedArm& arm, const std::string&) {

@@ -3,6 +3,7 @@
 #include "core/text/pretty_text.h"
 #include "core/text/shown_score.h"
 #include "genome/creature_name.h"
+#include "studio/panels/inspector/sense_section.h"
 #include "studio/viewer/mutation_words.h"
 #include "studio/viewer/origin_words.h"
 #include "studio/viewer/score_words.h"
@@ -156,11 +157,12 @@ void draw_origin(const FrameContext& frame) {
 
 }  // namespace
 
-void CreatureTab::draw(const FrameContext& frame, Requests&) {
+void CreatureTab::draw(const FrameContext& frame, Requests& out) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(8), px(5)));
     draw_headline(frame);
     draw_score(frame);
     draw_body(frame);
+    draw_senses(frame, out);
     draw_grown_organs(frame);
     draw_origin(frame);
     ImGui::PopStyleVar();

@@ -5,6 +5,7 @@
 #include "pictures/scene/bout_scene.h"
 #include "pictures/scene/field_overlays.h"
 #include "pictures/scene/follow_camera.h"
+#include "pictures/scene/hunter.h"
 #include "pictures/scene/living_look.h"
 #include "pictures/scene/shaped_ground.h"
 #include "pictures/scene/small_life.h"
@@ -14,6 +15,7 @@
 #include "studio/panels/viewport/axes_gizmo.h"
 #include "studio/panels/viewport/scene_overlays.h"
 #include "studio/panels/viewport/viewport_tools.h"
+#include "studio/viewer/trial_words.h"
 #include "studio/widgets/widgets.h"
 
 #include <fmt/core.h>
@@ -50,6 +52,8 @@ std::string second_line(const FrameContext& frame) {
     if (goal != nullptr && frame.viewer.score != nullptr) {
         line += "  ·  " + shown_score(frame.viewer.score->score.value, goal->unit);
     }
+    if (const std::string number = trial_words(frame.viewer.playback); !number.empty())
+        line += (line.empty() ? "" : "  ·  ") + number;
     const Trial& trial = frame.viewer.playback.trial();
     const std::string clock = trial.settling() ? "settling" : fmt::format("{:.1f} s", trial.time());
     line += (line.empty() ? "" : "  ·  ") + clock;
@@ -360,6 +364,18 @@ void ViewportPanel::add_company(const FrameContext& frame, const CreatureLook& l
     }
 }
 
+// Draws a light: a hunter while it is in view, else a lamp, at the edge if it is out of view.
+void ViewportPanel::add_shown_light(const FrameContext& frame, const Vec2& place) {
+    const PlayedCreature& creature = frame.viewer.playback.creature();
+    const WorldWindow view = canvas_.camera.window(canvas_.size());
+    const bool seen =
+        (place.array() >= view.low.array()).all() && (place.array() <= view.high.array()).all();
+    if (seen && creature.replay().environment().light_motion == "hunting")
+        return add_hunter(canvas_.frame, place, creature.motion().center().head<2>(),
+                          frame.viewer.playback.trial().time());
+    add_light(canvas_.frame, canvas_.camera, canvas_.size(), place);
+}
+
 void ViewportPanel::build_scene(const FrameContext& frame) {
     const Playback& playback = frame.viewer.playback;
     const Palette& palette = colors();
@@ -408,7 +424,7 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
         if (world != nullptr)
             add_lamp(scene, canvas_.camera, canvas_.size(), place,
                      playback.creature().replay().environment().light_reach);
-        add_light(scene, canvas_.camera, canvas_.size(), place);
+        add_shown_light(frame, place);
     }
     add_being(scene, palette, canvas_.camera, look);
     if (world != nullptr) add_foreground(scene, *world, canvas_.camera, canvas_.size(), time);

@@ -28,6 +28,7 @@ private:
     bool handle_light(const FrameContext& frame, Requests& out);
     void handle_poke(const FrameContext& frame, Requests& out);
     void build_scene(const FrameContext& frame);
+    void add_shown_light(const FrameContext& frame, const Vec2& place);
     void add_company(const FrameContext& frame, const CreatureLook& look);
     void draw_words(const FrameContext& frame);
     void draw_marks(const FrameContext& frame);
