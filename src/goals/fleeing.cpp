@@ -90,6 +90,7 @@ void register_fleeing(GoalRegistry& goals) {
                .help = "Steady progress away from a light that follows and appears on either side, "
                        "in body lengths per second; the worse half of its appearances counts nine "
                        "times as much as the mean.",
+               .sample = "bolter",
                .default_environment = hunted_land,
                .default_trial = hunted_trials(),
                .senses = {"light-along", "light-across"},
