@@ -5,22 +5,13 @@
 // frame only copies them: software renderers copy a hundred times faster than they run a shader.
 // Painting takes as long as several frames, so a window has it done in steps.
 
-#include "render/backdrop.h"
+#include "render/backdrop_pictures.h"
 #include "render/camera.h"
-#include "render/opengl/painted_texture.h"
-#include "render/opengl/rectangle_buffer.h"
-#include "render/opengl/shader.h"
-#include "render/pixel_rect.h"
 
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace cambrian {
-
-// Whether a backdrop that is not painted yet is painted by the frame that needs it, or a part by
-// each frame. Until all are done, frames show its colours without its forms.
-enum class Baking : unsigned char { kAtOnce, kInSteps };
 
 class BackdropPainter {
 public:
@@ -35,51 +26,27 @@ public:
     bool take_unfinished() { return std::exchange(unfinished_, false); }
 
 private:
-    // A recipe's pictures for one size of view.
-    struct Scenery {
-        const BackdropRecipe* recipe = nullptr;
-        int width = 0;  // of the views it serves, in pixels
-        int height = 0;
-        int steps = 0;                       // that are done
-        std::optional<PaintedTexture> half;  // the sky, until it is done
-        std::optional<PaintedTexture> far;
-        std::optional<PaintedTexture> tile;    // of ground
-        std::optional<PaintedTexture> ground;  // the tile at `scale`
-        double scale = 0.0;                    // pixels per metre
-    };
-
     struct GroundStrip {
         int left, width, surface;  // pixels
     };
 
-    enum : std::size_t { kSky, kFinish, kRidge, kSoil, kScale, kSlope };  // places of the shaders
-
-    explicit BackdropPainter(std::vector<Shader> shaders);
-    Scenery& scenery_for(const BackdropRecipe& recipe, const PixelRect& target);
-    // Paints the next part, or all.
-    void bake(Scenery& scenery, Baking baking);
-    void paint_step(Scenery& scenery);
-    // The parts count from the lower edge up, chains from far to near.
-    void paint_sky(Scenery& scenery, int part);
-    void finish_sky(Scenery& scenery, int part);
-    void paint_ridge(const Scenery& scenery, std::size_t chain);
-    void paint_tile(Scenery& scenery, int part);
-    void scale_ground(Scenery& scenery, double pixels_per_metre);
+    BackdropPainter(BackdropPictures pictures, Shader slope)
+        : pictures_(std::move(pictures)), slope_(std::move(slope)) {}
+    PaintedBackdrop& scenery_for(const BackdropRecipe& recipe, const PixelRect& target);
     // `surface` is the height of the horizon in the target, in pixels.
-    void copy_far(const Scenery& scenery, const Camera& camera, const PixelRect& target,
+    void copy_far(const PaintedBackdrop& scenery, const Camera& camera, const PixelRect& target,
                   int surface) const;
     // Draws the ground in a strip of the target, from column `left` on, with its surface at this
     // height.
-    void copy_ground(const Scenery& scenery, const Camera& camera, const PixelRect& target,
+    void copy_ground(const PaintedBackdrop& scenery, const Camera& camera, const PixelRect& target,
                      const GroundStrip& strip) const;
-    void draw_shaped_ground(const Scenery& scenery, const GroundShape& shape, const Camera& camera,
-                            const PixelRect& target);
-    // Runs the shader in use over a rectangle of the bound texture.
-    void cover(const PixelRect& part);
+    void draw_shaped_ground(const PaintedBackdrop& scenery, const GroundShape& shape,
+                            const Camera& camera, const PixelRect& target);
 
-    std::vector<Shader> shaders_;
+    BackdropPictures pictures_;
+    Shader slope_;  // draws ground below a slope
     RectangleBuffer rectangle_;
-    std::vector<Scenery> sceneries_;  // the last used at the end
+    std::vector<PaintedBackdrop> sceneries_;  // the last used at the end
     bool unfinished_ = false;
 };
 

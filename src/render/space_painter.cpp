@@ -2,7 +2,9 @@
 
 #include "render/filled_rect.h"
 #include "render/opengl/gl.h"
+#include "render/space_seen.h"
 #include "render/space_shaders.h"
+#include "render/uniforms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,13 +15,8 @@
 namespace cambrian {
 namespace {
 
-using Matrix = std::array<float, 16>;  // column by column
-
-constexpr int kShadowSide = 96;    // texels
-constexpr double kNearest = 0.04;  // of the target's distance
-constexpr double kFarPlane = 400.0;
-constexpr double kFloorReach = 120.0;  // distances of the target
-constexpr double kPenumbra = 0.30;     // width of a shadow's edge, in metres a metre of its height
+constexpr int kShadowSide = 96;     // texels
+constexpr double kPenumbra = 0.30;  // width of a shadow's edge, in metres a metre of its height
 
 // Places of shaders. There is one of the floor for each set of its features, and one of solids for
 // each pattern.
@@ -30,26 +27,6 @@ constexpr std::size_t kLined = 4;
 constexpr std::size_t kFloors = 8;
 constexpr std::size_t kSolid = kFloor + kFloors;
 constexpr std::size_t kSolids = static_cast<std::size_t>(kSkinPatterns);
-
-void give(const Shader& shader, const char* name, const Floats3& value) {
-    glUniform3f(shader.uniform(name), value[0], value[1], value[2]);
-}
-void give(const Shader& shader, const char* name, const Color& color) {
-    glUniform3f(shader.uniform(name), color.r, color.g, color.b);
-}
-void give(const Shader& shader, const char* name, double value) {
-    glUniform1f(shader.uniform(name), static_cast<float>(value));
-}
-void give(const Shader& shader, const char* name, int value) {
-    glUniform1i(shader.uniform(name), value);
-}
-void give(const Shader& shader, const char* name, const std::array<double, 4>& four) {
-    glUniform4f(shader.uniform(name), static_cast<float>(four[0]), static_cast<float>(four[1]),
-                static_cast<float>(four[2]), static_cast<float>(four[3]));
-}
-void give(const Shader& shader, const char* name, const Matrix& matrix) {
-    glUniformMatrix4fv(shader.uniform(name), 1, GL_FALSE, matrix.data());
-}
 
 Result<Shader> compile(std::initializer_list<const char*> vertex,
                        std::initializer_list<const char*> fragment) {
@@ -63,82 +40,6 @@ Result<Shader> compile(std::initializer_list<const char*> vertex,
 }
 
 }  // namespace
-
-// The rectangle of the floor that shadows fall on.
-struct SpacePainter::Footprint {
-    Vec2 low = Vec2::Constant(1e9);
-    Vec2 high = Vec2::Constant(-1e9);
-
-    bool empty() const { return low.x() >= high.x(); }
-    Vec2 size() const { return high - low; }
-    void add(const Vec2& middle, double reach) {
-        low = low.cwiseMin(middle - Vec2::Constant(reach));
-        high = high.cwiseMax(middle + Vec2::Constant(reach));
-    }
-};
-
-// A part of the picture, and where the picture's lower left corner is in the framebuffer.
-struct SpacePainter::Place {
-    int x = 0;
-    int y = 0;
-    PixelRect part;
-
-    void use() const { glScissor(x + part.x, y + part.y, part.width, part.height); }
-};
-
-// The camera with places relative to its target.
-struct SpacePainter::Seen {
-    SpaceCamera camera;
-    Vec3 eye;
-    Vec3 sun;
-    Matrix view;
-    int width = 1;  // pixels
-    int height = 1;
-    Footprint foot = {};
-
-    Seen(const SpaceFrame& frame, const PixelRect& target)
-        : camera(frame.camera), sun(frame.light.direction.normalized()) {
-        width = target.width * frame.samples;
-        height = target.height * frame.samples;
-        camera.width = width;
-        camera.height = height;
-        camera.pixels_per_metre *= frame.samples;
-        eye = camera.distance() * camera.back;
-        const double near = kNearest * camera.distance();
-        const double far = kFarPlane * camera.distance();
-        const double focal = 2.0 * camera.pixels_per_metre * camera.distance();
-        const Vec3 x = focal / width * camera.right;
-        const Vec3 y = focal / height * camera.up;
-        const double steep = (far + near) / (far - near);
-        for (int k = 0; k < 3; ++k) {
-            const auto column = 4 * static_cast<std::size_t>(k);
-            view[column] = static_cast<float>(x[k]);
-            view[column + 1] = static_cast<float>(y[k]);
-            view[column + 2] = static_cast<float>(-steep * camera.back[k]);
-            view[column + 3] = static_cast<float>(-camera.back[k]);
-        }
-        view[12] = 0.0F;
-        view[13] = 0.0F;
-        view[14] = static_cast<float>(steep * camera.distance() - 2.0 * far * near / (far - near));
-        view[15] = static_cast<float>(camera.distance());
-    }
-    double pixel() const { return 1.0 / (camera.pixels_per_metre * camera.distance()); }
-    int rows_of_floor(const SpaceFloor* floor, const Vec3& target) const;
-};
-
-// Returns below which row of the picture there is nothing but floor.
-int SpacePainter::Seen::rows_of_floor(const SpaceFloor* floor, const Vec3& target) const {
-    const double rise = camera.back.y();
-    const double over_floor = floor != nullptr ? eye.y() - floor->height + target.y() : 0.0;
-    if (over_floor <= 0.0 || std::fabs(rise) >= 0.9) return 0;
-    const double focal = camera.pixels_per_metre * camera.distance();
-    const double level = std::sqrt(1.0 - rise * rise);
-    const double horizon = 0.5 * height + focal * rise / level;
-    // The floor ends a little below the horizon.
-    const double gap = focal * over_floor / (kFloorReach * camera.distance());
-    return static_cast<int>(
-        std::clamp(horizon - 4.0 - 2.0 * gap / (level * level), 0.0, 1.0 * height));
-}
 
 Result<SpacePainter> SpacePainter::create() {
     using namespace space_shader;

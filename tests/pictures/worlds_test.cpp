@@ -2,6 +2,7 @@
 
 #include "pictures/scene/worlds.h"
 
+#include "pictures/scene/scenery.h"
 #include "pictures/scene/shaped_ground.h"
 #include "render/opengl/framebuffer.h"
 #include "render/opengl/offscreen_context.h"

@@ -4,6 +4,7 @@
 #include "pictures/preserve/world_edges.h"
 #include "pictures/scene/lit_color.h"
 #include "pictures/scene/scene_builder.h"
+#include "pictures/scene/scenery.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,6 +6,7 @@
 #include "pictures/scene/follow_camera.h"
 #include "pictures/scene/hunter.h"
 #include "pictures/scene/living_look.h"
+#include "pictures/scene/scenery.h"
 #include "pictures/scene/shaped_ground.h"
 #include "pictures/scene/small_life.h"
 #include "pictures/scene/space_moment.h"

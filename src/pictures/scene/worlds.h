@@ -1,10 +1,8 @@
 #pragma once
 
-// The world that an environment is drawn as: its scenery, the light on skins, and what grows or
-// floats in it.
+// The world that an environment is drawn as: the colours of its backdrop, and the light on skins.
 
 #include "pictures/canvas/palette.h"
-#include "render/camera.h"
 #include "render/scene_frame.h"
 #include "world/environment.h"
 
@@ -49,18 +47,5 @@ const Palette& palette_over(const DrawnWorld& world);
 
 // Gives the frame the backdrop and the light of a world.
 void use_world(SceneFrame& frame, const DrawnWorld& world);
-// The same, and adds what grows and floats behind creatures. `time` is that of the trial, in s;
-// blades sway and bubbles rise with it.
-void add_scenery(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
-                 const Viewport& viewport, double time);
-// Adds the glow of a lamp and lets it shine on skins; half of its light is left at `reach` (m).
-void add_lamp(SceneFrame& frame, const Camera& camera, const Viewport& viewport, const Vec2& place,
-              double reach);
-// Adds marks along the ground, so many metres apart.
-void add_ground_marks(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
-                      const Viewport& viewport, double spacing);
-// Adds blades before the creatures' feet.
-void add_foreground(SceneFrame& frame, const DrawnWorld& world, const Camera& camera,
-                    const Viewport& viewport, double time);
 
 }  // namespace cambrian

@@ -20,6 +20,7 @@ public:
     void build_scene(const FrameContext& frame, SceneCanvas& canvas) const;
 
     OrbitCamera& camera() { return orbit_; }
+    const OrbitCamera& camera() const { return orbit_; }
     // Returns where the canvas has a point of the world, in the plane of its camera.
     Vec2 on_canvas(const Vec3& point, const SceneCanvas& canvas) const;
 

@@ -1,24 +1,20 @@
 #include "studio/panels/viewport/viewport_panel.h"
 
-#include "core/text/pretty_text.h"
-#include "core/text/shown_score.h"
 #include "pictures/scene/bout_scene.h"
 #include "pictures/scene/field_overlays.h"
 #include "pictures/scene/follow_camera.h"
 #include "pictures/scene/hunter.h"
 #include "pictures/scene/living_look.h"
+#include "pictures/scene/scenery.h"
 #include "pictures/scene/shaped_ground.h"
 #include "pictures/scene/small_life.h"
 #include "pictures/scene/stone_wall.h"
-#include "pictures/scene/worlds.h"
 #include "studio/look/overlays.h"
 #include "studio/panels/viewport/axes_gizmo.h"
 #include "studio/panels/viewport/scene_overlays.h"
+#include "studio/panels/viewport/viewport_labels.h"
 #include "studio/panels/viewport/viewport_tools.h"
-#include "studio/viewer/trial_words.h"
 #include "studio/widgets/widgets.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,35 +27,8 @@ constexpr double kFollowLag = 0.25;         // s; time constant with which the c
 constexpr double kFollowMargin = 0.06;      // share of the viewport kept free around the body
 constexpr double kFitShare = 0.40;          // share of the viewport filled by a body after FitView
 constexpr double kFitShareOfContest = 0.8;  // the same, by both creatures and the cube
-// Pixels from the top that the text about the creature takes.
-constexpr float kWordsHeight = 132.0F;
-constexpr float kActionsTop = 64.0F;  // of the buttons below the words, from the top
-constexpr float kActionsHeight = 34.0F;
-constexpr double kFarthestLight = 1000.0;  // m; limit of the setting
-
-void shadowed_text(ImDrawList& list, ImFont* font, float size, const ImVec2& at, const Color& color,
-                   const std::string& text) {
-    note_letters(text);
-    list.AddText(font, size, {at.x, at.y + 1.0F}, paint(with_alpha(colors().sky, 0.9F)),
-                 text.c_str());
-    list.AddText(font, size, at, paint(color), text.c_str());
-}
-
-std::string second_line(const FrameContext& frame) {
-    const Exhibit& exhibit = frame.viewer.playback.exhibit();
-    const GoalKind* goal = frame.kinds.goals.find(exhibit.settings().goal);
-    std::string line = goal == nullptr ? std::string() : goal->label;
-    if (goal != nullptr && frame.viewer.score != nullptr) {
-        line += "  ·  " + shown_score(frame.viewer.score->score.value, goal->unit);
-    }
-    if (const std::string number = trial_words(frame.viewer.playback); !number.empty())
-        line += (line.empty() ? "" : "  ·  ") + number;
-    const Trial& trial = frame.viewer.playback.trial();
-    const std::string clock = trial.settling() ? "settling" : fmt::format("{:.1f} s", trial.time());
-    line += (line.empty() ? "" : "  ·  ") + clock;
-    if (trial.finished()) line += " (trial over)";
-    return line;
-}
+constexpr float kActionsTop = 64.0F;        // of the buttons below the words, from the top
+constexpr double kFarthestLight = 1000.0;   // m; limit of the setting
 
 BoutLook bout_look(const Playback& playback) {
     const ShownBout& shown = playback.creature().bout();
@@ -96,22 +65,11 @@ Character shown_character(const FrameContext& frame) {
     return character;
 }
 
-const DrawnWorld* world_around(const FrameContext& frame) {
-    return shown_world(frame.view, frame.window.scenery,
-                       frame.viewer.playback.creature().replay().environment());
-}
-
 // Returns the window with the displayed creature and, in a contest, with the cube and the opponent.
 WorldWindow shown_bounds(const Playback& playback) {
     const PlayedCreature& creature = playback.creature();
     const WorldWindow body = body_window(creature.phenotype(), creature.motion().poses());
     return playback.trial().bout() == nullptr ? body : with_bout(body, bout_look(playback));
-}
-
-// Whether the viewport offers what can be done with the creature; modes have their own buttons.
-bool has_actions(const FrameContext& frame) {
-    return !frame.viewer.playback.empty() && !frame.window.viewer_only &&
-           !frame.window.presenting && frame.picking == nullptr && frame.preserve == nullptr;
 }
 
 }  // namespace
@@ -141,18 +99,7 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
         }
     }
     canvas_.add_to(*ImGui::GetWindowDrawList());
-    if (!frame.viewer.playback.empty()) {
-        if (frame.in_space()) {
-            draw_space_marks(frame);
-            draw_space_ghost_labels(frame);
-        } else {
-            draw_marks(frame);
-            draw_wall_sign(frame);
-            draw_ghost_labels(frame);
-        }
-        if (frame.view.overlays.names) draw_part_names(frame);
-        draw_words(frame);
-    }
+    if (!frame.viewer.playback.empty()) draw_viewport_labels(frame, canvas_, space_);
     if (frame.window.presenting) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_None);
         if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) out.ask(TogglePresentation{});
@@ -171,57 +118,6 @@ void ViewportPanel::draw_space(const FrameContext& frame, Requests& out) {
     space_.place_camera(frame, canvas_, std::exchange(seen_, shown) != shown,
                         std::exchange(fit_wanted_, false));
     space_.build_scene(frame, canvas_);
-}
-
-Vec2 ViewportPanel::on_canvas(const FrameContext& frame, const Vec3& point) const {
-    return frame.in_space() ? space_.on_canvas(point, canvas_) : Vec2(point.head<2>());
-}
-
-// Labels the lines of the ground's grid that cross at the start.
-void ViewportPanel::draw_space_marks(const FrameContext& frame) {
-    const DrawnWorld* world = world_around(frame);
-    if (!frame.viewer.playback.creature().replay().environment().has_ground) return;
-    if (world != nullptr ? !frame.view.overlays.ruler : !frame.view.overlays.grid) return;
-    constexpr int kLabelsEachWay = 12;
-    const PlayedCreature& body = frame.viewer.playback.creature();
-    const SpaceCamera camera = space_.camera().seen(canvas_.size());
-    Camera flat;
-    flat.pixels_per_metre = camera.pixels_per_metre;
-    const double spacing = std::max(1.0, mark_spacing(flat, kTickPixels));
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const WithFont font(ui().fonts.small);
-    const Color color = world != nullptr ? world->words : colors().muted;
-    const auto label = [&](const Vec3& at, double metres) {
-        const SpaceCamera::Seen seen = camera.look_at(at);
-        const std::string words = with_unit(metres, "m");
-        const auto x = static_cast<float>(seen.place.x());
-        const auto y = static_cast<float>(seen.place.y());
-        const ImVec2 size = ImGui::CalcTextSize(words.c_str());
-        const bool near = seen.distance > 0.2 && seen.distance < 4.0 * camera.distance();
-        const bool hidden =
-            part_at(body.phenotype(), body.motion().poses(), camera, seen.place + Vec2(8.0, 8.0))
-                .part >= 0;
-        if (!near || hidden || x < 0.0F || y < 0.0F || x + size.x > canvas_.area.width ||
-            y + size.y > canvas_.area.height)
-            return;
-        list.AddText({std::round(canvas_.area.x + x + px(3)), std::round(canvas_.area.y + y)},
-                     paint(color), words.c_str());
-    };
-    const auto nearest = [&](double metres) { return std::round(metres / spacing); };
-    for (int i = -kLabelsEachWay; i <= kLabelsEachWay; ++i) {
-        const double along = (nearest(camera.target.x()) + i) * spacing;
-        label({along, 0.0, 0.0}, along);
-        const double aside = (nearest(camera.target.z()) + i) * spacing;
-        if (aside != 0.0) label({0.0, 0.0, aside}, aside);
-    }
-}
-
-// Draws each ghost's name at its middle.
-void ViewportPanel::draw_space_ghost_labels(const FrameContext& frame) const {
-    for (const auto& ghost : frame.viewer.ghosts) {
-        if (!ghost->poses().empty())
-            draw_plate(on_canvas(frame, ghost->trial().scene().center_of_mass()), ghost->words());
-    }
 }
 
 Vec2 ViewportPanel::follow_target(const FrameContext& frame) const {
@@ -390,7 +286,8 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
                             playback.creature().motion().stretches(),
                             shown_look(frame),
                             shown_character(frame)};
-    const DrawnWorld* world = world_around(frame);
+    const DrawnWorld* world =
+        shown_world(frame.view, frame.window.scenery, playback.creature().replay().environment());
     const double time = look.character.time;
     use_ground(scene, playback.creature().replay().environment(), canvas_.camera, canvas_.size());
     if (world != nullptr) {
@@ -438,33 +335,6 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
                    palette.danger);
 }
 
-void ViewportPanel::draw_marks(const FrameContext& frame) {
-    const DrawnWorld* world = world_around(frame);
-    if (!frame.viewer.playback.creature().replay().environment().has_ground) return;
-    if (world != nullptr && !frame.view.overlays.ruler) return;
-    const Camera& camera = canvas_.camera;
-    const WorldWindow window = camera.window(canvas_.size());
-    const GroundShape& ground = canvas_.frame.ground;
-    if (ground.is_flat() && window.low.y() > 0.0) return;
-    // Places labels at marks of the ground, far enough apart for their text.
-    const double tick = mark_spacing(camera, kTickPixels);
-    const double room = kTickPixels * static_cast<double>(ui().scale);
-    const double spacing = tick * std::ceil(room / (tick * camera.pixels_per_metre));
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const WithFont font(ui().fonts.small);
-    const Color color = world != nullptr ? world->words : colors().muted;
-    for (double i = std::ceil(window.low.x() / spacing); i * spacing < window.high.x(); i += 1.0) {
-        const std::string label = with_unit(i * spacing, "m");
-        const Vec2 at = camera.to_screen({i * spacing, ground.at(i * spacing)}, canvas_.size());
-        const float width = ImGui::CalcTextSize(label.c_str()).x;
-        const float left = static_cast<float>(at.x()) - 0.5F * width;
-        if (left < 0.0F || left + width > canvas_.area.width) continue;
-        list.AddText({std::round(canvas_.area.x + left),
-                      std::round(canvas_.area.y + static_cast<float>(at.y()) + px(10))},
-                     paint(color), label.c_str());
-    }
-}
-
 void ViewportPanel::add_overlays(const FrameContext& frame, const CreatureLook& look) {
     const ViewState& view = frame.view;
     const Trial& trial = frame.viewer.playback.trial();
@@ -482,133 +352,6 @@ void ViewportPanel::add_overlays(const FrameContext& frame, const CreatureLook& 
     if (view.overlays.center_of_mass)
         add_center_of_mass(canvas_.frame, over,
                            frame.viewer.playback.creature().motion().center().head<2>());
-}
-
-// Draws a name on a small plate, centred.
-void ViewportPanel::draw_plate(const Vec2& at, const std::string& name) const {
-    const Vec2 place = canvas_.camera.to_screen(at, canvas_.size());
-    const WithFont font(ui().fonts.small);
-    const ImVec2 size = ImGui::CalcTextSize(name.c_str());
-    const ImVec2 low = {std::round(canvas_.area.x + static_cast<float>(place.x()) - 0.5F * size.x),
-                        std::round(canvas_.area.y + static_cast<float>(place.y()) - 0.5F * size.y)};
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({low.x - px(5), low.y - px(1)},
-                       {low.x + size.x + px(5), low.y + size.y + px(1)},
-                       paint(with_alpha(colors().panel, 0.85F)), px(4));
-    list.AddText(low, paint(colors().text), name.c_str());
-}
-
-// Says how far the wall is while it is out of view.
-void ViewportPanel::draw_wall_sign(const FrameContext& frame) const {
-    constexpr double kFromEdge = 46.0;  // pixels
-    const FixedBox* wall = frame.viewer.playback.trial().wall();
-    if (wall == nullptr) return;
-    const WorldWindow view = canvas_.camera.window(canvas_.size());
-    const bool left = wall->high.x() < view.low.x();
-    if (!left && wall->low.x() <= view.high.x()) return;
-    const Vec3 here = frame.viewer.playback.creature().motion().center();
-    const double away = distance_to_wall(*wall, here, left ? -1 : 1);
-    const double margin = kFromEdge * static_cast<double>(ui().scale) * canvas_.camera.pixel();
-    draw_plate({left ? view.low.x() + margin : view.high.x() - margin, 0.5 * kWallHeight},
-               "wall " + with_unit(away, "m"));
-}
-
-// Draws the parts' names; leaves out those that would cover another one.
-void ViewportPanel::draw_part_names(const FrameContext& frame) const {
-    const Phenotype& phenotype = frame.viewer.playback.creature().phenotype();
-    std::vector<Vec2> taken;
-    const double line = static_cast<double>(px(20)) * canvas_.camera.pixel();
-    for (std::size_t i = 0; i < frame.viewer.playback.creature().motion().poses().size(); ++i) {
-        const std::string name =
-            i == 0 ? "root" : fmt::format("{} · gene {}", i, phenotype.parts[i].node);
-        const Vec2 at =
-            on_canvas(frame, frame.viewer.playback.creature().motion().poses()[i].position);
-        const auto covers = [&](const Vec2& other) {
-            return std::fabs(other.x() - at.x()) < 5.0 * line &&
-                   std::fabs(other.y() - at.y()) < line;
-        };
-        if (std::any_of(taken.begin(), taken.end(), covers)) continue;
-        taken.push_back(at);
-        draw_plate(at, name);
-    }
-}
-
-// Returns the words of a ghost; those of one outside the view say how far it is from the creature.
-std::string ViewportPanel::ghost_words(const Ghost& ghost, const WorldWindow& bounds,
-                                       double here) const {
-    const WorldWindow view = canvas_.camera.window(canvas_.size());
-    const double away = std::fabs(0.5 * (bounds.low.x() + bounds.high.x()) - here);
-    if (bounds.low.x() > view.high.x())
-        return fmt::format("{}  ·  {:.1f} m →", ghost.words(), away);
-    if (bounds.high.x() < view.low.x())
-        return fmt::format("← {:.1f} m  ·  {}", away, ghost.words());
-    return ghost.words();
-}
-
-// Draws each ghost's name above it, or at the edge if it is outside the view; moves a label that
-// would cover another one.
-void ViewportPanel::draw_ghost_labels(const FrameContext& frame) const {
-    std::vector<Vec2> taken;
-    const double line = static_cast<double>(px(20)) * canvas_.camera.pixel();
-    // Labels stay below the text about the creature.
-    const double highest =
-        canvas_.camera.to_world({0.0, static_cast<double>(px(kWordsHeight))}, canvas_.size()).y();
-    const WorldWindow view = canvas_.camera.window(canvas_.size());
-    const double here = frame.viewer.playback.creature().motion().center().x();
-    for (const auto& ghost : frame.viewer.ghosts) {
-        const WorldWindow bounds = body_window(ghost->phenotype(), ghost->poses());
-        const std::string words = ghost_words(*ghost, bounds, here);
-        const double half = 0.5 *
-                            static_cast<double>(ImGui::CalcTextSize(words.c_str()).x + px(16)) *
-                            canvas_.camera.pixel();
-        Vec2 at = {0.5 * (bounds.low.x() + bounds.high.x()),
-                   std::min(bounds.high.y() + line, highest)};
-        at.x() = std::max(view.low.x() + half, std::min(view.high.x() - half, at.x()));
-        const auto covers = [&](const Vec2& other) {
-            return std::fabs(other.x() - at.x()) < 4.5 * line &&
-                   std::fabs(other.y() - at.y()) < 0.99 * line;
-        };
-        double step = line;
-        while (std::any_of(taken.begin(), taken.end(), covers)) {
-            if (at.y() + step > highest) step = -line;
-            at.y() += step;
-        }
-        taken.push_back(at);
-        draw_plate(at, words);
-    }
-}
-
-void ViewportPanel::draw_words(const FrameContext& frame) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const Fonts& fonts = ui().fonts;
-    const Exhibit& exhibit = frame.viewer.playback.exhibit();
-    const DrawnWorld* world = world_around(frame);
-    const Palette& palette = world != nullptr ? palette_over(*world) : colors();
-    ImVec2 at = {canvas_.area.x + px(16), canvas_.area.y + px(12)};
-    // A shade, so that words are read before any sky.
-    const ImU32 shade = paint(with_alpha(palette.sky, 0.75F));
-    const ImU32 none = paint(with_alpha(palette.sky, 0.0F));
-    list.AddRectFilledMultiColor(
-        canvas_.area.low(),
-        {canvas_.area.x + std::min(px(320), canvas_.area.width), canvas_.area.y + px(96)}, shade,
-        none, none, none);
-    const Color second = world != nullptr ? with_alpha(palette.text, 0.85F) : palette.muted;
-    const std::string name = exhibit.name();
-    shadowed_text(list, fonts.title, px(20), at, palette.text, name);
-    const float named = fonts.title->CalcTextSizeA(px(20), 1e6F, 0.0F, name.c_str()).x;
-    if (exhibit.title != name)
-        shadowed_text(list, fonts.body, px(15), {at.x + named + px(10), at.y + px(4)}, second,
-                      exhibit.title);
-    at.y += px(27);
-    shadowed_text(list, fonts.body, px(15), at, second, second_line(frame));
-    at.y += px(22) + (has_actions(frame) ? px(kActionsHeight) : 0.0F);
-    if (frame.viewer.playback.creature().replay().diverged()) {
-        shadowed_text(list, fonts.body, px(15), at, palette.danger,
-                      "The motion diverged; press R to restart");
-    } else if (is_disturbed(frame.viewer.playback.creature())) {
-        shadowed_text(list, fonts.body, px(15), at, palette.plot_best,
-                      "Disturbed by hand; press R to restart");
-    }
 }
 
 }  // namespace cambrian

@@ -30,20 +30,9 @@ private:
     void build_scene(const FrameContext& frame);
     void add_shown_light(const FrameContext& frame, const Vec2& place);
     void add_company(const FrameContext& frame, const CreatureLook& look);
-    void draw_words(const FrameContext& frame);
-    void draw_marks(const FrameContext& frame);
     void add_overlays(const FrameContext& frame, const CreatureLook& look);
-    void draw_plate(const Vec2& at, const std::string& name) const;
-    void draw_wall_sign(const FrameContext& frame) const;
-    void draw_part_names(const FrameContext& frame) const;
-    void draw_ghost_labels(const FrameContext& frame) const;
-    std::string ghost_words(const Ghost& ghost, const WorldWindow& bounds, double here) const;
 
-    // Returns where the canvas has a point of the world.
-    Vec2 on_canvas(const FrameContext& frame, const Vec3& point) const;
     void draw_space(const FrameContext& frame, Requests& out);
-    void draw_space_marks(const FrameContext& frame);
-    void draw_space_ghost_labels(const FrameContext& frame) const;
 
     SceneCanvas canvas_;
     SpaceView space_;
