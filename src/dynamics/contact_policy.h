@@ -12,6 +12,10 @@ inline constexpr double kRestingGap = 0.5e-3;   // m; gap of resting contacts
 inline constexpr double kRestingSpeed = 0.3;    // m/s; slower contacts do not bounce
 inline constexpr double kContactMargin = 0.02;  // m; points with larger gaps are ignored
 
+inline constexpr double kPushSpeed = 0.5;       // m/s; fastest way back out of the ground
+inline constexpr double kStopPushSpeed = 1.0;   // rad/s or m/s; from beyond a stop
+inline constexpr double kAnchorWeights = 10.0;  // weights of a creature; largest anchored force
+
 // The deepest new contact that is an impact.
 struct NewContact {
     bool found = false;

@@ -5,6 +5,7 @@
 #include "planar/constraints/invariants.h"
 #include "planar/forces/motors.h"
 #include "planar/model/collision_filter.h"
+#include "world/scene_checks.h"
 
 #include <fmt/core.h>
 
@@ -14,17 +15,9 @@
 namespace cambrian {
 namespace {
 
-constexpr double kMinHalfExtent = 0.01;  // m
-constexpr double kMinMassShare = 1e-4;   // of the total mass
-constexpr double kMaxStretch = 1.0;      // largest |s|
+constexpr double kMaxStretch = 1.0;    // largest |s|
 constexpr double kStretchSpare = 0.1;  // that a stretch may overrun its limits, for the broad phase
 constexpr double kFixedRoom = 1.0;     // to the limits of rigid joints, which never move
-// Child lengths per second, for each rad/s of a motor's limit.
-constexpr double kRateLengthShare = 0.25;
-
-Error part_error(std::size_t part, const std::string& problem) {
-    return {fmt::format("body plan, part {}: {}", part, problem)};
-}
 
 bool is_finite(const PlannedPart& part) {
     const double numbers[] = {part.half_extents.x(),
@@ -75,19 +68,6 @@ Status check_part(const BodyPlan& plan, std::size_t index) {
     if (part.motion > JointMotion::kSlide) return part_error(index, "unknown motion of its joint");
     if (!(part.limit_low <= part.limit_high)) return part_error(index, "limits in wrong order");
     if (part.max_effort < 0.0) return part_error(index, "negative motor effort");
-    return {};
-}
-
-Status check_plan(const BodyPlan& plan, double density) {
-    if (plan.parts.empty()) return Error{"body plan: no parts"};
-    if (plan.parts.size() > kMaxParts)
-        return Error{
-            fmt::format("body plan: {} parts, at most {} expected", plan.parts.size(), kMaxParts)};
-    if (!(density > 0.0) || !std::isfinite(density))
-        return Error{"environment: density must be above 0"};
-    for (std::size_t i = 0; i < plan.parts.size(); ++i) {
-        if (Status status = check_part(plan, i); !status) return status;
-    }
     return {};
 }
 
@@ -405,7 +385,8 @@ private:
 }  // namespace
 
 Result<PlanarModel> build_planar_model(const BodyPlan& plan, double density) {
-    if (Status status = check_plan(plan, density); !status) return status.error();
+    if (Status status = check_plan(plan, density, kMaxParts, check_part); !status)
+        return status.error();
     return ModelBuilder(plan, density).build();
 }
 

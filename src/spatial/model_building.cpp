@@ -1,4 +1,5 @@
 #include "spatial/articulated_body.h"
+#include "world/scene_checks.h"
 
 #include <fmt/core.h>
 
@@ -7,15 +8,6 @@
 
 namespace cambrian::spatial {
 namespace {
-
-constexpr double kMinHalfExtent = 0.01;  // m
-constexpr double kMinMassShare = 1e-4;   // of the total mass
-// Child lengths per second, for each rad/s of a motor's limit.
-constexpr double kRateLengthShare = 0.25;
-
-Error part_error(std::size_t part, const std::string& problem) {
-    return {fmt::format("body plan, part {}: {}", part, problem)};
-}
 
 bool is_finite(const Vec3& v) {
     return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
@@ -57,19 +49,6 @@ Status check_part(const BodyPlan& plan, std::size_t index) {
     if ((index == 0) != is_root || part.parent >= static_cast<int>(index))
         return part_error(index, "part 0 is the root, and parents come before children");
     return is_root ? Status() : check_joint(part, index);
-}
-
-Status check_plan(const BodyPlan& plan, double density) {
-    if (plan.parts.empty()) return Error{"body plan: no parts"};
-    if (plan.parts.size() > kMostParts)
-        return Error{
-            fmt::format("body plan: {} parts, at most {} expected", plan.parts.size(), kMostParts)};
-    if (!(density > 0.0) || !std::isfinite(density))
-        return Error{"environment: density must be above 0"};
-    for (std::size_t i = 0; i < plan.parts.size(); ++i) {
-        if (Status status = check_part(plan, i); !status) return status;
-    }
-    return {};
 }
 
 double mass_of(const PlannedPart& part, double density) {
@@ -207,7 +186,8 @@ private:
 }  // namespace
 
 Result<Model> build_model(const BodyPlan& plan, double density) {
-    if (Status status = check_plan(plan, density); !status) return status.error();
+    if (Status status = check_plan(plan, density, kMostParts, check_part); !status)
+        return status.error();
     return ModelBuilder(plan, density).build();
 }
 

@@ -1,16 +1,17 @@
 #include "spatial/spatial_scene.h"
 
 #include "core/assert.h"
+#include "spatial/audit.h"
 #include "spatial/ground_contacts.h"
 #include "spatial/joints.h"
+#include "spatial/scene_motion.h"
 #include "spatial/self_contacts.h"
-#include "spatial/step_control.h"
-
-#include <fmt/core.h>
+#include "world/scene_checks.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace cambrian::spatial {
@@ -129,7 +130,9 @@ public:
         return std::make_unique<NoWorkspace>();
     }
     void give_workspace(std::unique_ptr<SceneWorkspace> /*workspace*/) override {}
-    SceneMotion motion() const override;
+    SceneMotion motion() const override {
+        return scene_motion_of(model_, state_.motion, state_.drive.end);
+    }
     bool begin_at(const SceneMotion& motion) override;
     double energy() const override {
         return mechanical_energy(model_, forcing_.medium, state_.motion,
@@ -139,11 +142,11 @@ public:
     void restart_audit() override { start_audit(model_, forcing_.medium, state_); }
     void list_contacts(std::vector<SceneContact>& contacts) const override;
     void list_impacts(std::vector<SceneImpact>& impacts) const override;
-    void add_to_digest(Hash64& digest) const override;
+    void add_to_digest(Hash64& digest) const override {
+        spatial::add_to_digest(model_, state_.motion, digest);
+    }
 
 private:
-    static constexpr std::size_t kAttitudeNumbers = 4;
-
     std::size_t index(std::size_t part) const {
         CAMBRIAN_ASSERT(part < part_count(), "part index in range");
         return part;
@@ -345,61 +348,14 @@ void SpatialScene::restore(const SceneState& state) {
     state_.energy_reference += energy() - before;
 }
 
-// The root's attitude is given as a quaternion between the joints and the centre of mass, those of
-// balls follow at the end. The coordinates of balls among the joints are 0.
-SceneMotion SpatialScene::motion() const {
-    const Motion& motion = state_.motion;
-    const int joints = model_.degree_count;
-    SceneMotion copy{{motion.position, motion.position + joints},
-                     {motion.speed, motion.speed + model_.coordinate_count()},
-                     {state_.drive.end, state_.drive.end + joints}};
-    const Rotation& root = motion.root;
-    for (const double number :
-         {root.w(), root.x(), root.y(), root.z(), center().x(), center().y(), center().z()})
-        copy.positions.push_back(number);
-    for (int i = 0; i < model_.ball_count; ++i) {
-        const Rotation& ball = motion.ball[model_.balls[i]].turn;
-        copy.positions.insert(copy.positions.end(), {ball.w(), ball.x(), ball.y(), ball.z()});
-    }
-    return copy;
-}
-
 bool SpatialScene::begin_at(const SceneMotion& motion) {
-    const auto joints = static_cast<std::size_t>(model_.degree_count);
-    const std::size_t balls = joints + kAttitudeNumbers + 3;
-    if (motion.positions.size() !=
-            balls + kAttitudeNumbers * static_cast<std::size_t>(model_.ball_count) ||
-        motion.speeds.size() != joints + 6 || motion.targets.size() != joints)
-        return false;
-    for (const auto* numbers : {&motion.positions, &motion.speeds, &motion.targets}) {
-        if (!std::all_of(numbers->begin(), numbers->end(),
-                         [](double number) { return std::isfinite(number); }))
-            return false;
-    }
-    const auto attitude_at = [&motion](std::size_t first) {
-        const double* numbers = motion.positions.data() + first;
-        return Rotation(numbers[0], numbers[1], numbers[2], numbers[3]);
-    };
-    for (std::size_t at = balls; at < motion.positions.size(); at += kAttitudeNumbers) {
-        if (!(attitude_at(at).norm() > 0.5)) return false;
-    }
-    const Rotation root = attitude_at(joints);
-    if (!(root.norm() > 0.5)) return false;
+    const std::optional<Motion> read = motion_of(model_, motion);
+    if (!read) return false;
     const Drive drive = state_.drive;
     state_ = {};
+    state_.motion = *read;
     state_.drive.frequency = drive.frequency;
     state_.drive.speed_limit = drive.speed_limit;
-    state_.motion.root = normalized(root);
-    for (int d = 0; d < model_.degree_count; ++d) {
-        const bool of_ball = model_.bodies[model_.degrees[d].body].is_ball;
-        state_.motion.position[d] = of_ball ? 0.0 : motion.positions[static_cast<std::size_t>(d)];
-    }
-    std::copy_n(motion.positions.data() + joints + kAttitudeNumbers, 3,
-                state_.motion.position + model_.place());
-    for (std::size_t i = 0; i < static_cast<std::size_t>(model_.ball_count); ++i)
-        state_.motion.ball[model_.balls[i]].turn =
-            normalized(attitude_at(balls + kAttitudeNumbers * i));
-    std::copy(motion.speeds.begin(), motion.speeds.end(), state_.motion.speed);
     std::copy(motion.targets.begin(), motion.targets.end(), state_.drive.start);
     std::copy(motion.targets.begin(), motion.targets.end(), state_.drive.end);
     forcing_.pull_count = 0;
@@ -433,36 +389,6 @@ void SpatialScene::list_impacts(std::vector<SceneImpact>& impacts) const {
     }
 }
 
-void SpatialScene::add_to_digest(Hash64& digest) const {
-    const Motion& motion = state_.motion;
-    for (int c = 0; c < model_.coordinate_count(); ++c) {
-        digest.add(motion.position[c]);
-        digest.add(motion.speed[c]);
-    }
-    for (const double number : {motion.root.w(), motion.root.x(), motion.root.y(), motion.root.z()})
-        digest.add(number);
-    for (int i = 0; i < model_.ball_count; ++i) {
-        const Rotation& ball = motion.ball[model_.balls[i]].turn;
-        for (const double number : {ball.w(), ball.x(), ball.y(), ball.z()})
-            digest.add(number);
-    }
-}
-
-Status check_surroundings(const Environment& environment, const SceneSettings& settings) {
-    for (const double number :
-         {environment.gravity, environment.gravity_direction, environment.viscosity_linear,
-          environment.viscosity_quadratic, environment.friction, environment.elasticity,
-          settings.motor_speed_limit, settings.motor_frequency}) {
-        if (!std::isfinite(number)) return Error{"environment: a number is not finite"};
-    }
-    for (const double positive :
-         {settings.tolerance, settings.contact_step, settings.max_evaluations}) {
-        if (!(positive > 0.0))
-            return Error{"scene settings: tolerance, contact step and evaluations must be above 0"};
-    }
-    return {};
-}
-
 Result<std::unique_ptr<PhysicsScene>> make_spatial_scene(const BodyPlan& plan,
                                                          const Environment& environment,
                                                          const SceneSettings& settings) {
@@ -470,10 +396,12 @@ Result<std::unique_ptr<PhysicsScene>> make_spatial_scene(const BodyPlan& plan,
     const auto integrator = std::find_if(known.begin(), known.end(), [&](const Integrator& each) {
         return each.id == settings.integrator;
     });
-    if (integrator == known.end())
-        return Error{
-            fmt::format("scene settings: no integrator \"{}\" in space; known are {} and {}",
-                        settings.integrator, known[0].id, known[1].id)};
+    if (integrator == known.end()) {
+        std::vector<std::string> ids;
+        for (const Integrator& each : known)
+            ids.push_back(each.id);
+        return unknown_integrator(settings.integrator, ids);
+    }
     if (Status status = check_surroundings(environment, settings); !status) return status.error();
     const Result<Model> model = build_model(plan, environment.density);
     if (!model) return model.error();

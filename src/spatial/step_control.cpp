@@ -2,6 +2,7 @@
 
 #include "core/assert.h"
 #include "dynamics/step_policy.h"
+#include "spatial/audit.h"
 #include "world/environment.h"
 
 #include <algorithm>
@@ -14,11 +15,8 @@ namespace {
 constexpr double kMaxStep = 1.0 / 60;         // s
 constexpr double kRestStep = 1.0 / 120;       // s; longest step of what nearly rests
 constexpr double kRestRate = 0.2;             // m/s and rad/s; what is slower nearly rests
-constexpr double kMaxDeepening = 4e-3;        // m; of the deepest contact in one step
-constexpr double kMaxTickDeepening = 8e-3;    // m; in one tick
 constexpr double kMaxSwingOverrun = 5e-3;     // rad; of a ball's cone, whose direction turns
 constexpr double kSwingOverrunGrowth = 2e-3;  // rad; in one step
-constexpr int kMaxImpacts = 8;  // per tick; later impacts are treated as slow contacts
 
 bool is_sound(const Model& model, const State& state) {
     const Motion& motion = state.motion;
@@ -35,40 +33,6 @@ bool is_sound(const Model& model, const State& state) {
            fit(coordinate_vector(motion.speed + model.place()), step_policy::kMaxSpeed) &&
            fit(state.evaluation->kinematics.spin[0], step_policy::kMaxSpeed) &&
            std::isfinite(motion.root.w() + motion.root.x() + motion.root.y() + motion.root.z());
-}
-
-Vec3 part_velocity(const Model& model, const State& state, int index) {
-    const Part& part = model.parts[index];
-    const Kinematics& k = state.evaluation->kinematics;
-    return k.velocity[part.body] + cross(k.spin[part.body], k.turn[part.body] * part.place) +
-           coordinate_vector(state.motion.speed + model.place());
-}
-
-void note_speeds(const Model& model, State& state) {
-    SceneAudit& audit = state.audit;
-    for (int p = 0; p < model.part_count; ++p) {
-        const Vec3 velocity = part_velocity(model, state, p);
-        audit.max_part_speed = std::max(audit.max_part_speed, std::sqrt(dot(velocity, velocity)));
-    }
-    for (int b = 0; b < model.body_count; ++b) {
-        const Vec3& spin = state.evaluation->kinematics.spin[b];
-        audit.max_part_spin = std::max(audit.max_part_spin, std::sqrt(dot(spin, spin)));
-    }
-}
-
-void update_audit(const Model& model, const Medium& medium, State& state) {
-    SceneAudit& audit = state.audit;
-    const double* work = state.motion.work;
-    audit.motor_work = work[kMotorWork];
-    audit.gross_motor_work = work[kGrossMotorWork];
-    audit.drag_work = work[kDragWork];
-    const double explained = work[kMotorWork] + work[kDragWork] + work[kPullWork] +
-                             audit.contact_work + audit.limit_work + audit.impulse_work;
-    audit.energy_residual =
-        mechanical_energy(model, medium, state.motion, state.evaluation->kinematics) -
-        state.energy_reference - explained;
-    const double gravity = std::sqrt(dot(medium.gravity, medium.gravity));
-    audit.energy_scale = audit.gross_motor_work + model.mass * gravity * step_policy::kScaleHeight;
 }
 
 // Touches the face of a part whose normal is nearest to a direction in the world.
@@ -99,31 +63,15 @@ void note_touch(const Model& model, const Kinematics& k, const Contact& contact,
 
 }  // namespace
 
-void start_audit(const Model& model, const Medium& medium, State& state) {
-    for (double& work : state.motion.work)
-        work = 0.0;
-    state.audit = {};
-    state.energy_reference =
-        mechanical_energy(model, medium, state.motion, state.evaluation->kinematics);
-    update_audit(model, medium, state);
-}
-
 StepControl::StepControl(const Model& model, const Integrator& integrator,
                          const SceneSettings& settings)
-    : integrator_(&integrator),
-      tolerance_(settings.tolerance),
-      contact_step_(settings.contact_step),
-      underflow_step_(std::min(
-          step_policy::kUnderflowShare * contact_step_,
-          step_policy::kUnderflowStep *
-              inverse_root(step_policy::kUsualTolerance / tolerance_, MidpointStep::kErrorOrder))),
-      max_evaluations_(settings.max_evaluations),
-      rows_(model) {}
+    : integrator_(&integrator), limits_(settings, MidpointStep::kErrorOrder), rows_(model) {}
 
 void StepControl::advance(const Model& model, Forcing& forcing, double duration, State& state) {
     forcing.drive = state.drive;
-    state.evaluation_debt = std::max(0.0, state.evaluation_debt - max_evaluations_ * duration);
-    Tick tick{model, forcing, state, duration};
+    state.evaluation_debt =
+        std::max(0.0, state.evaluation_debt - limits_.max_evaluations * duration);
+    Tick tick{{duration}, model, forcing, state};
     const Motion start = state.motion;
     const SceneAudit audit_before = state.audit;
     std::fill_n(state.touched, kMostParts, std::uint8_t{0});
@@ -170,7 +118,7 @@ SceneStatus StepControl::step(Tick& tick) {
     State& state = tick.state;
     make_current(tick);
     if (!tick.detected) detect(tick, state.motion, state.evaluation->kinematics);
-    const bool can_bounce = tick.impacts < kMaxImpacts;
+    const bool can_bounce = tick.impacts < step_policy::kMaxImpacts;
     if (can_bounce && has_impact()) {
         apply_impact(tick, tick.forcing.ground.restitution);
         return SceneStatus::kRunning;
@@ -193,7 +141,7 @@ SceneStatus StepControl::step(Tick& tick) {
     tick.detected = true;
     if (can_bounce && has_new_impact(near_, rows_)) {
         accept_part(tick, has_rows, h);
-    } else if (is_too_deep(tick, depth, h)) {
+    } else if (step_policy::is_too_deep(tick, depth, near_.depth(), h)) {
         ++state.audit.rejections;
         state.proposed_step = 0.5 * h;
         tick.detected = false;
@@ -217,14 +165,6 @@ bool StepControl::has_impact() const {
     return false;
 }
 
-// Whether the deepest contact at the attempt's end is much deeper than at its start or the tick's.
-bool StepControl::is_too_deep(const Tick& tick, double start_depth, double h) const {
-    if (h <= step_policy::kHalvingStep || tick.underflows >= step_policy::kMaxUnderflows)
-        return false;
-    const double depth = near_.depth();
-    return depth > start_depth + kMaxDeepening || depth > tick.start_depth + kMaxTickDeepening;
-}
-
 // Whether a body on the ground has nearly come to rest. At 1/60 s some never do.
 bool StepControl::rests(const Tick& tick) const {
     if (rows_.contact_count() == 0) return false;
@@ -242,68 +182,40 @@ void StepControl::make_current(Tick& tick) {
     if (state.is_current) return;
     const MotionSystem system{tick.model, tick.forcing, tick.length};
     system.evaluate(state.motion, tick.time, *state.evaluation, state.rate);
-    count_evaluations(tick, 1);
+    step_policy::count_evaluations(state, 1);
     state.is_current = true;
 }
 
-void StepControl::count_evaluations(Tick& tick, int evaluations) {
-    tick.state.audit.evaluations += static_cast<std::uint64_t>(evaluations);
-    tick.state.evaluation_debt += evaluations;
-}
-
-// Divides the rest of the tick evenly, so that no tiny step remains.
 double StepControl::choose_length(Tick& tick, bool& has_rows) {
     double h = std::min(tick.state.proposed_step, kMaxStep);
     const State& state = tick.state;
     has_rows =
         rows_.select({tick.model, state.motion, *state.evaluation, tick.forcing.medium.gravity},
                      near_, state.held, h);
-    if (has_rows) h = std::min(h, rests(tick) ? std::min(contact_step_, kRestStep) : contact_step_);
-    if (tick.underflows >= step_policy::kMaxUnderflows) {
-        has_rows = false;
-        h = std::min(h, step_policy::kNoRowsShare * contact_step_);
-    }
-    const double rest = tick.length - tick.time;
-    const double steps = std::ceil(rest / h * (has_rows ? 0.9 : 1.0 - 1e-9));
-    return rest / std::max(1.0, steps);
+    if (has_rows)
+        h = std::min(
+            h, rests(tick) ? std::min(limits_.contact_step, kRestStep) : limits_.contact_step);
+    return step_policy::even_length(tick, limits_, h, has_rows);
 }
 
 StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) {
-    State& state = tick.state;
-    const int order = has_rows ? MidpointStep::kErrorOrder : integrator_->error_order;
     if (!has_rows) rows_.clear();
-    for (;;) {
-        try_step(tick, has_rows, h);
-        count_evaluations(tick, result_.evaluations);
-        if (state.evaluation_debt > step_policy::kBudgetTime * max_evaluations_)
-            return Attempt::kOverBudget;
-        if (!(result_.error <= 1.0)) {
-            ++state.audit.rejections;
-            h *= std::min(step_policy::step_factor(result_.error, order), 0.9);
-            state.proposed_step = h;
-            if (h < step_policy::kMinStep)
-                return std::isfinite(result_.error) ? Attempt::kOverBudget : Attempt::kDiverged;
-            if (!has_rows || h >= underflow_step_) continue;
-            ++tick.underflows;
-            apply_impact(tick, 0.0);
-            state.proposed_step = contact_step_;
-            return Attempt::kUnderflow;
-        }
-        if (must_halve(tick, h)) {
-            ++state.audit.rejections;
-            h *= 0.5;
-            continue;
-        }
-        state.proposed_step =
-            step_policy::next_length(result_.error, order, h, state.proposed_step, kMaxStep);
-        return Attempt::kAccepted;
-    }
+    const int order = has_rows ? MidpointStep::kErrorOrder : integrator_->error_order;
+    const Attempt outcome = step_policy::attempt(
+        limits_, {order, kMaxStep, has_rows}, tick.state, result_, h,
+        [&](double length) { try_step(tick, has_rows, length); },
+        [&](double length) { return must_halve(tick, length); });
+    if (outcome != Attempt::kUnderflow) return outcome;
+    ++tick.underflows;
+    apply_impact(tick, 0.0);
+    tick.state.proposed_step = limits_.contact_step;
+    return outcome;
 }
 
 void StepControl::try_step(Tick& tick, bool has_rows, double h) {
     State& state = tick.state;
     const MotionSystem system{tick.model, tick.forcing, tick.length};
-    const StepRequest request{state.motion, state.rate, tick.time, h, tolerance_};
+    const StepRequest request{state.motion, state.rate, tick.time, h, limits_.tolerance};
     if (!has_rows) {
         integrator_->attempt(system, request, *end_, result_);
         return;
@@ -365,17 +277,14 @@ void StepControl::note_impacts(Tick& tick) {
     }
 }
 
-// Positive work of contacts and stops shows that the step is too long for constant forces. So does
-// a joint that overruns a stop that was not selected. Energy that no work explains shows that it is
-// too long for its motion.
+// A joint that overruns a stop that was not selected shows that the step is too long, too.
 bool StepControl::must_halve(const Tick& tick, double h) {
     work_ = rows_.work(tick.model, tick.state.motion, tick.state.evaluation->kinematics,
                        result_.end, end_->kinematics, h);
     if (h <= step_policy::kHalvingStep) return false;
     const double weight = tick.model.mass * kEarthGravity;
-    if (work_.positive > step_policy::kStepWorkAllowance * weight) return true;
-    if (result_.error > step_policy::kGainlessError &&
-        unexplained_gain(tick) > step_policy::kStepGainAllowance * weight)
+    if (step_policy::gives_energy(work_.positive, result_.error, weight,
+                                  [&] { return unexplained_gain(tick); }))
         return true;
     const double swing = swing_overrun(tick.model, result_.end);
     if (swing > kMaxSwingOverrun &&
@@ -414,7 +323,7 @@ void StepControl::accept(Tick& tick, bool has_rows, double h) {
 // Accepts the step up to its first impact.
 void StepControl::accept_part(Tick& tick, bool has_rows, double h) {
     State& state = tick.state;
-    const StepRequest request{state.motion, state.rate, tick.time, h, tolerance_};
+    const StepRequest request{state.motion, state.rate, tick.time, h, limits_.tolerance};
     if (has_rows) {
         midpoint_.rates_at_ends(tick.model, request, result_, first_, last_);
     } else {

@@ -3,6 +3,7 @@
 // The time loop of one tick: contacts and stops, attempts of steps, acceptance, impacts, energy
 // audit (planar/README.md 15, 16).
 
+#include "dynamics/step_policy.h"
 #include "spatial/steps.h"
 #include "spatial/time_of_impact.h"
 #include "world/physics_scene.h"
@@ -58,22 +59,15 @@ public:
     void advance(const Model& model, Forcing& forcing, double duration, State& state);
 
 private:
-    struct Tick {
+    struct Tick : step_policy::Course {
         const Model& model;
         const Forcing& forcing;
         State& state;
-        double length = 0.0;       // s
-        double time = 0.0;         // s, since its start
-        double start_depth = 0.0;  // m; of the deepest contact
-        int impacts = 0;
-        int underflows = 0;     // in a row
-        bool detected = false;  // whether near_ has the contacts of the present state
     };
-    enum class Attempt : unsigned char { kAccepted, kUnderflow, kDiverged, kOverBudget };
+    using Attempt = step_policy::Attempt;
 
     SceneStatus step(Tick& tick);
     static void make_current(Tick& tick);
-    static void count_evaluations(Tick& tick, int evaluations);
     double choose_length(Tick& tick, bool& has_rows);
     Attempt attempt(Tick& tick, bool has_rows, double& h);
     void try_step(Tick& tick, bool has_rows, double h);
@@ -82,7 +76,6 @@ private:
     void detect(const Tick& tick, const Motion& motion, const Kinematics& kinematics);
     bool has_impact() const;
     bool rests(const Tick& tick) const;
-    bool is_too_deep(const Tick& tick, double start_depth, double h) const;
     bool must_halve(const Tick& tick, double h);
     double unexplained_gain(const Tick& tick) const;
     void accept(Tick& tick, bool has_rows, double h);
@@ -90,10 +83,7 @@ private:
     void add_to_audit(Tick& tick, double share);
 
     const Integrator* integrator_;
-    double tolerance_;
-    double contact_step_;     // s; longest step with rows
-    double underflow_step_;   // s; shorter steps with rows count as an underflow
-    double max_evaluations_;  // a simulated second
+    step_policy::Limits limits_;
     ContactSet near_;
     Rows rows_;
     MidpointStep midpoint_;
@@ -104,8 +94,5 @@ private:
     MotionRate first_, last_;
     Motion part_;
 };
-
-// Restarts the audit at the present state, whose evaluation must be current.
-void start_audit(const Model& model, const Medium& medium, State& state);
 
 }  // namespace cambrian::spatial

@@ -9,22 +9,18 @@
 namespace cambrian::spatial {
 namespace {
 
-constexpr double kPerPosition = 10.0;  // 1 / (0.1 m or rad)
-// An embedded pair continues with the better of its formulas; the midpoint rule does not.
-constexpr double kCaution = 1.6;
-
 // The sum of squared errors of position / (0.1 m or rad) and of speed / (1 + |speed|).
 class ErrorSum {
 public:
     void add(double position, double speed, double present_speed) {
-        const double p = kPerPosition * position;
+        const double p = step_policy::kPerPosition * position;
         const double v = speed / (1.0 + std::fabs(present_speed));
         sum_ += p * p + v * v;
     }
     // Vectors count by their lengths, so that the steps do not depend on how a body is turned.
     void add(const Vec3& position, const Vec3& speed, const Vec3& present_speed) {
         const double size = 1.0 + std::sqrt(dot(present_speed, present_speed));
-        sum_ += kPerPosition * kPerPosition * dot(position, position) +
+        sum_ += step_policy::kPerPosition * step_policy::kPerPosition * dot(position, position) +
                 dot(speed, speed) / (size * size);
     }
     double rms(int coordinates) const { return std::sqrt(sum_ / (2.0 * coordinates)); }
@@ -264,7 +260,7 @@ double MidpointStep::estimate_error(const Model& model, const StepRequest& reque
         errors.add(position.joint[d], speed.joint[d], result.end.speed[d]);
     errors.add(position.root, speed.root, coordinate_vector(start.position + model.attitude()));
     errors.add(position.center, speed.center, coordinate_vector(result.end.speed + place));
-    return kCaution * errors.rms(model.coordinate_count()) / request.tolerance;
+    return step_policy::kCaution * errors.rms(model.coordinate_count()) / request.tolerance;
 }
 
 }  // namespace cambrian::spatial

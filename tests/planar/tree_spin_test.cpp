@@ -3,7 +3,7 @@
 #include "planar/evaluation/accelerations.h"
 #include "planar/random_motion.h"
 #include "planar/rig.h"
-#include "planar/stepping/audit.h"
+#include "planar/stepping/tree_spins.h"
 #include "support/catch.h"
 
 #include <cmath>

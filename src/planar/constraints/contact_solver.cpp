@@ -15,11 +15,8 @@ namespace {
 
 constexpr double kLimitBand = 1e-4;  // rad or m; a nearer limit gets a row
 constexpr double kPushShare = 0.1;   // share of a penetration that is corrected in one nominal step
-constexpr double kPushSpeed = 0.5;   // m/s; largest speed of the correction
-constexpr double kLimitPushSpeed = 1.0;        // rad/s or m/s; largest speed of the correction
-constexpr double kNominalStep = 1.0 / 120;     // s
-constexpr double kMiddleWorkAllowance = 1e-3;  // J per (kg m/s^2): M g (1 m) * this
-constexpr double kAnchorWeights = 10.0;        // weights of the creature; largest anchored friction
+constexpr double kNominalStep = 1.0 / 120;        // s
+constexpr double kMiddleWorkAllowance = 1e-3;     // J per (kg m/s^2): M g (1 m) * this
 constexpr double kMiddleFrictionSoftness = 1e-2;  // anchored at the last step's forces
 
 // The slack of a row, r + slack + W p >= 0 (planar/README.md 11). A closing contact lands at gap
@@ -287,7 +284,7 @@ void ContactSolver::set_resting_bias(const PlanarModel& model, double h, const W
             bias -= row.regularization * std::clamp(h * force, -most, most);
         } else {
             force = std::max(0.0, row.dir_x * warm.limit[row.body_a]);
-            bias += row_slack(limits_.items[row.source].gap, row.rate, h, kLimitPushSpeed);
+            bias += row_slack(limits_.items[row.source].gap, row.rate, h, kStopPushSpeed);
         }
         rows_.impulse[r] = h * force;
         bias_[r] = bias;

@@ -81,6 +81,13 @@ struct ContactSet {
     void add(const Contact& contact) {
         if (Contact* place = make_room(contact.gap)) *place = contact;
     }
+    // Returns how deep the deepest contact is, m.
+    double depth() const {
+        double depth = 0.0;
+        for (int c = 0; c < count; ++c)
+            depth = std::max(depth, -items[c].gap);
+        return depth;
+    }
 
 private:
     Contact* drop_farthest(double gap) {

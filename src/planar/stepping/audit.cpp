@@ -46,8 +46,7 @@ void note_speeds(const PlanarModel& model, const Kinematics& k, SceneAudit& audi
 
 void note_depths(const ContactSet& contacts, double limit_overrun, SceneAudit& audit) {
     CAMBRIAN_TICK_ASSERT(!(limit_overrun < 0.0), "an overrun is not negative");
-    for (int c = 0; c < contacts.count; ++c)
-        audit.max_penetration = std::max(audit.max_penetration, -contacts.items[c].gap);
+    audit.max_penetration = std::max(audit.max_penetration, contacts.depth());
     audit.max_limit_overrun = std::max(audit.max_limit_overrun, limit_overrun);
 }
 
@@ -65,20 +64,13 @@ void note_member_works(const PlanarModel& model, const EvaluationCache& begin,
 }
 
 void update_audit(const PlanarModel& model, const Medium& medium, SimulationState& state) {
-    SceneAudit& audit = state.audit;
     const double* work = state.motion.work;
-    audit.motor_work = work[kMotorWork];
-    audit.gross_motor_work = work[kGrossMotorWork];
-    audit.drag_work = work[kDragWork];
-    const double explained = work[kMotorWork] + work[kDragWork] + work[kPullWork] +
-                             audit.contact_work + audit.limit_work + audit.impulse_work;
-    audit.energy_residual =
-        mechanical_energy(model, medium, state) - state.energy_reference - explained;
+    const double gained = mechanical_energy(model, medium, state) - state.energy_reference;
     const double gravity =
         std::sqrt(medium.gravity_x * medium.gravity_x + medium.gravity_y * medium.gravity_y);
-    CAMBRIAN_TICK_ASSERT(!(audit.positive_work < 0.0), "what was given is not negative");
-    audit.energy_scale =
-        audit.gross_motor_work + model.total_mass * gravity * step_policy::kScaleHeight;
+    step_policy::note_works(
+        {work[kMotorWork], work[kGrossMotorWork], work[kDragWork], work[kPullWork]}, gained,
+        model.total_mass * gravity, state.audit);
 }
 
 void start_audit(const PlanarModel& model, const Medium& medium, SimulationState& state) {
@@ -147,101 +139,36 @@ void end_forces(const PlanarModel& model, const Medium& medium, const Kinematics
 
 namespace {
 
-// Moments of inertia of four bodies about their centres; 0 in the slots of stretches.
-CAMBRIAN_INLINE Simd4d inertia_lanes(const PlanarModel& model, const Kinematics& k, int first) {
-    if (!k.deforms) return load_lanes(model.inertia + first);
-    double inertias[kLanes] = {};
-    for (int lane = 0; lane < kLanes && first + lane < model.body_count; ++lane)
-        inertias[lane] = present_inertia(model, k, first + lane);
-    return load_lanes(inertias);
-}
-
-// Calls visit(mass, offset, velocity, inertia, spin) for four bodies of a tree at once; masses and
-// inertias of other slots are 0, offsets are from the tree's centre.
-template <class Visit>
-CAMBRIAN_INLINE void visit_bodies(const PlanarModel& model, const Motion& motion,
-                                  const Kinematics& k, int tree, const Visit& visit) {
-    const double* membership = model.members_of(tree).membership;
-    const int center = center_of(model, tree);
-    const Simd4d center_x = all_lanes(motion.position[center]);
-    const Simd4d center_y = all_lanes(motion.position[center + 1]);
-    for (int i = 0; i < model.body_count; i += kLanes) {
-        const Simd4d member = load_lanes(membership + i);
-        visit(member * load_lanes(model.mass + i),
-              Simd4dVector{load_lanes(k.x + i) - center_x, load_lanes(k.y + i) - center_y},
-              Simd4dVector{load_lanes(k.velocity_x + i), load_lanes(k.velocity_y + i)},
-              member * inertia_lanes(model, k, i), load_lanes(k.spin + i));
-    }
-}
-
-// Adds a rate in rad/s to the rotation of the tree about its centre of mass. Returns the kinetic
-// energy of all bodies afterwards.
-CAMBRIAN_INLINE double turn_tree(const PlanarModel& model, int tree, double rate, Motion& motion,
-                                 Kinematics& k) {
-    const double* membership = model.members_of(tree).membership;
-    const int center = center_of(model, tree);
-    const Simd4d center_x = all_lanes(motion.position[center]);
-    const Simd4d center_y = all_lanes(motion.position[center + 1]);
-    Simd4d energy = {};
-    for (int i = 0; i < model.body_count; i += kLanes) {
-        const Simd4d turn = rate * load_lanes(membership + i);
-        const Simd4d turning = all_lanes(1.0) - load_lanes(model.slides + i);
-        store_lanes(motion.speed + i, load_lanes(motion.speed + i) + turning * turn);
-        if (k.deforms) continue;
-        const Simd4d spin = load_lanes(k.spin + i) + turn;
-        const Simd4d velocity_x =
-            load_lanes(k.velocity_x + i) - turn * (load_lanes(k.y + i) - center_y);
-        const Simd4d velocity_y =
-            load_lanes(k.velocity_y + i) + turn * (load_lanes(k.x + i) - center_x);
-        store_lanes(k.spin + i, spin);
-        store_lanes(k.velocity_x + i, velocity_x);
-        store_lanes(k.velocity_y + i, velocity_y);
-        energy += doubled_energies(model, velocity_x, velocity_y, spin, i);
-    }
-    if (!k.deforms) return 0.5 * sum_of(energy);
-    spread_spins(model, motion.speed, k.spin);
-    compute_velocities(model, motion, k);
-    return kinetic_energy(model, k);
+bool is_within_creature(const PlanarModel& model, const Contact& contact) {
+    if (contact.body_b < 0) return false;
+    const BodySet paths = model.root_path[contact.body_a] & model.root_path[contact.body_b];
+    return (paths & model.roots) != 0;
 }
 
 }  // namespace
 
-TreeSpin spin_of_tree(const PlanarModel& model, const Motion& motion, const Kinematics& k,
-                      int tree) {
-    Simd4d momentum = {};
-    Simd4d inertia = {};
-    visit_bodies(model, motion, k, tree,
-                 [&](const Simd4d& mass, const Simd4dVector& offset, const Simd4dVector& velocity,
-                     const Simd4d& own, const Simd4d& spin) {
-                     momentum +=
-                         mass * (offset.x * velocity.y - offset.y * velocity.x) + own * spin;
-                     inertia += mass * (offset.x * offset.x + offset.y * offset.y) + own;
-                 });
-    CAMBRIAN_TICK_ASSERT(!(sum_of(inertia) <= 0.0), "a tree has inertia");
-    return {sum_of(momentum), sum_of(inertia)};
+void note_touch(const Contact& contact, SimulationState& state) {
+    state.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
+    if (contact.part_b >= 0)
+        state.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
 }
 
-double gross_spin_of_tree(const PlanarModel& model, const Motion& motion, const Kinematics& k,
-                          int tree) {
-    const int center = center_of(model, tree);
-    const Simd4d speed_x = all_lanes(motion.speed[center]);
-    const Simd4d speed_y = all_lanes(motion.speed[center + 1]);
-    Simd4d gross = {};
-    visit_bodies(model, motion, k, tree,
-                 [&](const Simd4d& mass, const Simd4dVector& offset, const Simd4dVector& velocity,
-                     const Simd4d& own, const Simd4d& spin) {
-                     gross += mass * magnitude(offset.x * (velocity.y - speed_y) -
-                                               offset.y * (velocity.x - speed_x)) +
-                              own * magnitude(spin);
-                 });
-    return sum_of(gross);
-}
-
-double restore_spin(const PlanarModel& model, int tree, double before, double given, Motion& motion,
-                    Kinematics& k) {
-    const TreeSpin spin = spin_of_tree(model, motion, k, tree);
-    const double gained = spin.momentum - before - given;
-    return turn_tree(model, tree, -gained / spin.inertia, motion, k);
+void note_impact(const PlanarModel& model, const Kinematics& kinematics, const Contact& contact,
+                 double impulse, double work, SimulationState& state) {
+    if (is_within_creature(model, contact)) return;
+    const auto end = state.impacts + state.impact_count;
+    auto* noted = std::find_if(state.impacts, end, [&](const NotedImpact& each) {
+        return each.body_a == contact.body_a && each.body_b == contact.body_b;
+    });
+    if (noted == end) {
+        if (state.impact_count == static_cast<int>(kMostImpacts)) return;
+        ++state.impact_count;
+        *noted = {contact.body_a, contact.body_b, contact.part_a, contact.part_b};
+    }
+    noted->impulse += impulse;
+    noted->lost -= work;
+    noted->point_x += impulse * (kinematics.x[contact.body_a] + contact.arm_ax);
+    noted->point_y += impulse * (kinematics.y[contact.body_a] + contact.arm_ay);
 }
 
 }  // namespace cambrian

@@ -1,7 +1,7 @@
 #pragma once
 
-// The audit watches beside the motion: energies (planar/README.md 16), angular momenta of trees
-// with their correction (17), and the forces on measured parts.
+// The audit watches beside the motion: energies (planar/README.md 16), touches and impacts, and the
+// forces on measured parts.
 
 #include "planar/contact/contact.h"
 #include "planar/model/kinematics.h"
@@ -44,24 +44,11 @@ void add_load(const PlanarModel& model, const Contact& contact, double impulse, 
 void end_forces(const PlanarModel& model, const Medium& medium, const Kinematics& kinematics,
                 double duration, PartForces& forces);
 
-struct TreeSpin {
-    double momentum = 0.0;  // kg m^2/s, angular, about the tree's centre of mass
-    double inertia = 0.0;   // kg m^2, about that centre
-};
+void note_touch(const Contact& contact, SimulationState& state);
 
-// Places and velocities of the kinematics must be those of the motion.
-TreeSpin spin_of_tree(const PlanarModel& model, const Motion& motion, const Kinematics& kinematics,
-                      int tree);
-
-// Returns the sum of the absolute angular momenta of the tree's bodies about its centre of mass,
-// orbital and own, kg m^2/s.
-double gross_spin_of_tree(const PlanarModel& model, const Motion& motion,
-                          const Kinematics& kinematics, int tree);
-
-// Turns the tree about its centre of mass such that its angular momentum there is that of `before`
-// and what was `given`, kg m^2/s. Joints do not move. Returns the kinetic energy of all bodies
-// afterwards, J.
-double restore_spin(const PlanarModel& model, int tree, double before, double given, Motion& motion,
-                    Kinematics& kinematics);
+// Notes an impact on another creature or the ground; the impulse is in N s, and `work` in J is that
+// of the impact.
+void note_impact(const PlanarModel& model, const Kinematics& kinematics, const Contact& contact,
+                 double impulse, double work, SimulationState& state);
 
 }  // namespace cambrian

@@ -11,11 +11,6 @@
 namespace cambrian {
 namespace {
 
-constexpr double kPerPosition = 10.0;  // 1 / (0.1 m or rad)
-// Factor of the error estimate. An embedded pair continues with its better formula, whose error is
-// a fraction of the estimate; the midpoint rule continues with the formula that is estimated.
-constexpr double kCaution = 1.6;
-
 // Accelerations of the joints' coordinates, four at once.
 CAMBRIAN_INLINE Simd4d joint_accelerations(const PlanarModel& model, const double* coordinate,
                                            const double* spin, int first) {
@@ -30,7 +25,7 @@ CAMBRIAN_INLINE double error_norm(const PlanarModel& model, const Motion& end,
     Simd4d sum = {};
     const int slots = coordinate_slots(model);
     for (int c = 0; c < slots; c += kLanes) {
-        const Simd4d position = kPerPosition * load_lanes(position_error + c);
+        const Simd4d position = step_policy::kPerPosition * load_lanes(position_error + c);
         const Simd4d size = 1.0 + magnitude(load_lanes(end.speed + c));
         const Simd4d speed = load_lanes(speed_error + c) / size;
         sum += position * position + speed * speed;
@@ -184,7 +179,7 @@ double MidpointStep::estimate_error(const PlanarModel& model, const ContactLaw& 
         store_lanes(changes[1] + c, position);
     }
     take_damping(model, changes, errors);
-    const double scale = kCaution / step.tolerance;
+    const double scale = step_policy::kCaution / step.tolerance;
     const double whole = scale * error_norm(model, result.end, errors[1], errors[0]);
     if (whole <= step_policy::kCalmError) return whole;
     if (!take_absorbed(model, law, contacts, errors)) return whole;

@@ -6,6 +6,7 @@
 #include "planar/evaluation/cache_numbers.h"
 #include "planar/stepping/audit.h"
 #include "planar/stepping/time_of_impact.h"
+#include "planar/stepping/tree_spins.h"
 #include "world/environment.h"
 
 #include <algorithm>
@@ -17,50 +18,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kMaxDeepening = 4e-3;      // m; of the deepest contact in one step
-constexpr double kMaxTickDeepening = 8e-3;  // m; in one tick
-constexpr double kScaleSpin = 1e-3;         // rad/s; for the audit of what hardly moves
-constexpr int kMaxImpacts = 8;              // per tick; later impacts are treated as slow contacts
 constexpr int kMostStops = 64;  // per tick; fewer impacts stop boxes that would pass each other
-
-void note_touch(const Contact& contact, SimulationState& state) {
-    state.touched[contact.part_a] |= static_cast<std::uint8_t>(1U << contact.face_a);
-    if (contact.part_b >= 0)
-        state.touched[contact.part_b] |= static_cast<std::uint8_t>(1U << contact.face_b);
-}
-
-bool is_within_creature(const PlanarModel& model, const Contact& contact) {
-    if (contact.body_b < 0) return false;
-    const BodySet paths = model.root_path[contact.body_a] & model.root_path[contact.body_b];
-    return (paths & model.roots) != 0;
-}
-
-// Returns the trees that a contact or a force pushes from outside, by the bits of their roots.
-template <class Pushing>
-BodySet touched_trees(const PlanarModel& model, const Pushing& pushing) {
-    const BodySet first = model.root_path[pushing.body_a] & model.roots;
-    const BodySet second = pushing.body_b < 0 ? 0 : model.root_path[pushing.body_b] & model.roots;
-    return first == second ? 0 : first | second;
-}
-
-// The impulse is in N s, and `work` in J is that of the impact.
-void note_impact(const PlanarModel& model, const Kinematics& kinematics, const Contact& contact,
-                 double impulse, double work, SimulationState& state) {
-    if (is_within_creature(model, contact)) return;
-    const auto end = state.impacts + state.impact_count;
-    auto* noted = std::find_if(state.impacts, end, [&](const NotedImpact& each) {
-        return each.body_a == contact.body_a && each.body_b == contact.body_b;
-    });
-    if (noted == end) {
-        if (state.impact_count == static_cast<int>(kMostImpacts)) return;
-        ++state.impact_count;
-        *noted = {contact.body_a, contact.body_b, contact.part_a, contact.part_b};
-    }
-    noted->impulse += impulse;
-    noted->lost -= work;
-    noted->point_x += impulse * (kinematics.x[contact.body_a] + contact.arm_ax);
-    noted->point_y += impulse * (kinematics.y[contact.body_a] + contact.arm_ay);
-}
 
 ComputedParts parts_computed_of(const PlanarModel& model) {
     return {.counts = counts_of(model),
@@ -75,28 +33,10 @@ void set_to_zero(Numbers& numbers) {
     std::memset(static_cast<void*>(&numbers), 0, sizeof numbers);
 }
 
-double deepest(const ContactSet& contacts) {
-    double depth = 0.0;
-    for (int c = 0; c < contacts.count; ++c)
-        depth = std::max(depth, -contacts.items[c].gap);
-    return depth;
-}
-
 }  // namespace
 
 StepControl::StepControl(const IntegratorKind& integrator, const SceneSettings& settings)
-    : integrator_(&integrator),
-      tolerance_(settings.tolerance),
-      contact_step_(settings.contact_step),
-      max_evaluations_(settings.max_evaluations) {
-    const double share =
-        inverse_root(step_policy::kUsualTolerance / tolerance_, MidpointStep::kErrorOrder);
-    underflow_step_ =
-        std::min(step_policy::kUnderflowShare * contact_step_, step_policy::kUnderflowStep * share);
-    CAMBRIAN_TICK_ASSERT(tolerance_ > 0.0 && contact_step_ > 0.0 && max_evaluations_ > 0.0,
-                         "settings that were checked");
-    CAMBRIAN_TICK_ASSERT(underflow_step_ > 0.0, "a step to give up at");
-}
+    : integrator_(&integrator), limits_(settings, MidpointStep::kErrorOrder) {}
 
 // What a model does not compute must be 0, as in the memory of a scene of its own. Where the same
 // is computed of more or fewer bodies, most of it is 0 already.
@@ -140,8 +80,9 @@ void StepControl::advance(const PlanarModel& model, const ContactLaw& law, Forci
         faces = 0;
     state.impact_count = 0;
     if (model.measured_parts != 0) begin_forces(model, state.forces);
-    state.evaluation_debt = std::max(0.0, state.evaluation_debt - max_evaluations_ * duration);
-    Tick tick{model, law, forcing, state, duration};
+    state.evaluation_debt =
+        std::max(0.0, state.evaluation_debt - limits_.max_evaluations * duration);
+    Tick tick{{duration}, model, law, forcing, state};
     tick.detected = state.cache_is_current && state.detection == detection_;
     Motion start;
     copy_motion(model, state.motion, start);
@@ -183,7 +124,7 @@ SceneStatus StepControl::step(Tick& tick) {
     CAMBRIAN_TICK_ASSERT(tick.time < tick.length, "something is left of the tick");
     make_current(tick);
     if (!tick.detected) contacts_.detect(tick.model, tick.law, tick.state.cache().kinematics);
-    const bool can_bounce = tick.impacts < kMaxImpacts;
+    const bool can_bounce = tick.impacts < step_policy::kMaxImpacts;
     if ((can_bounce || tick.must_stop) && contacts_.has_impact()) {
         tick.must_stop = false;
         apply_impact(tick, can_bounce ? tick.law.restitution : 0.0);
@@ -201,9 +142,13 @@ SceneStatus StepControl::step(Tick& tick) {
         case Attempt::kAccepted:
             break;
     }
-    restore_spins(tick, h);
+    const bool is_last = tick.time + h > tick.length - step_policy::kSliver;
+    const BodySet free = free_trees(tick.model, tick.forcing, contacts_.held());
+    if (const auto energy = restore_spins(tick.model, tick.forcing.medium, free, is_last,
+                                          tick.state, result_.end, spare_.get().kinematics))
+        end_energy_ = energy;
     Kinematics& end = spare_.get().kinematics;
-    const double depth = deepest(contacts_.near());
+    const double depth = contacts_.near().depth();
     if (tick.time == 0.0) tick.start_depth = depth;
     contacts_.detect(tick.model, tick.law, end);
     tick.detected = true;
@@ -211,7 +156,7 @@ SceneStatus StepControl::step(Tick& tick) {
     const std::optional<double> until = look_for_crossing(tick, ends, depth);
     tick.must_stop = until && *until < 1.0;
     const bool stops = tick.must_stop || (until && can_bounce && has_new_impact(contacts_));
-    if (!until || (!stops && is_too_deep(tick, depth, h))) {
+    if (!until || (!stops && step_policy::is_too_deep(tick, depth, contacts_.near().depth(), h))) {
         reject_end(tick, h);
     } else if (stops) {
         Motion motion;
@@ -239,7 +184,7 @@ std::optional<double> StepControl::look_for_crossing(const Tick& tick, const Ste
     if (parts > kMostLooks) return std::nullopt;
     const Crossing crossing = find_crossing(tick.model, tick.law, ends, parts, contacts_);
     // Selected contacts are no impacts, but their boxes may pass each other as well.
-    if (crossing.depth > start_depth + kMaxDeepening) return std::nullopt;
+    if (crossing.depth > start_depth + step_policy::kMaxDeepening) return std::nullopt;
     if (crossing.share < 1.0 && tick.impacts >= kMostStops) return std::nullopt;
     if (crossing.share == 1.0) contacts_.detect(tick.model, tick.law, end);
     return crossing.share;
@@ -252,14 +197,6 @@ void StepControl::reject_end(Tick& tick, double h) {
     tick.detected = false;
 }
 
-// Whether the deepest contact at the attempt's end is much deeper than at its start or the tick's.
-bool StepControl::is_too_deep(const Tick& tick, double start_depth, double h) const {
-    if (h <= step_policy::kHalvingStep || tick.underflows >= step_policy::kMaxUnderflows)
-        return false;
-    const double depth = deepest(contacts_.near());
-    return depth > start_depth + kMaxDeepening || depth > tick.start_depth + kMaxTickDeepening;
-}
-
 // Computes the accelerations without contact, unless the last step left them.
 void StepControl::make_current(Tick& tick) {
     SimulationState& state = tick.state;
@@ -268,15 +205,9 @@ void StepControl::make_current(Tick& tick) {
     const MotionSystem system{tick.model, tick.forcing, tick.length};
     system.evaluate(state.motion, tick.time, EvaluationDetail::kEverything, state.cache(),
                     state.free_rate);
-    count_evaluations(tick, 1);
+    step_policy::count_evaluations(state, 1);
     state.cache_is_current = true;
     state.energy.reset();
-}
-
-void StepControl::count_evaluations(Tick& tick, int evaluations) {
-    CAMBRIAN_TICK_ASSERT(evaluations > 0, "a step costs evaluations");
-    tick.state.audit.evaluations += static_cast<std::uint64_t>(evaluations);
-    tick.state.evaluation_debt += evaluations;
 }
 
 void StepControl::apply_impact(Tick& tick, double restitution) {
@@ -307,19 +238,12 @@ void StepControl::apply_impact(Tick& tick, double restitution) {
     }
 }
 
-// Divides the rest of the tick evenly, so that no tiny step remains.
 double StepControl::choose_length(Tick& tick, bool& has_rows) {
     SimulationState& state = tick.state;
     double h = std::min(state.proposed_step, integrator_->max_step);
     has_rows = contacts_.select_active(tick.model, state.cache(), h);
-    if (has_rows) h = std::min(h, contact_step_);
-    if (tick.underflows >= step_policy::kMaxUnderflows) {
-        has_rows = false;
-        h = std::min(h, step_policy::kNoRowsShare * contact_step_);
-    }
-    const double rest = tick.length - tick.time;
-    const double steps = std::ceil(rest / h * (has_rows ? 0.9 : 1.0 - 1e-9));
-    return rest / std::max(1.0, steps);
+    if (has_rows) h = std::min(h, limits_.contact_step);
+    return step_policy::even_length(tick, limits_, h, has_rows);
 }
 
 void StepControl::count_resting(Tick& tick, bool solved) {
@@ -330,49 +254,31 @@ void StepControl::count_resting(Tick& tick, bool solved) {
 }
 
 StepControl::Attempt StepControl::attempt(Tick& tick, bool has_rows, double& h) {
-    SimulationState& state = tick.state;
     const bool midpoint = is_midpoint(has_rows);
     const int order = midpoint ? MidpointStep::kErrorOrder : integrator_->error_order;
     if (!has_rows) contacts_.clear();
-    if (has_rows && !midpoint) contacts_.build(tick.model, tick.law, state.cache());
-    for (;;) {
-        if (midpoint)
-            try_midpoint_step(tick, h);
-        else
-            try_step(tick, has_rows, h);
-        count_evaluations(tick, result_.evaluations);
-        if (state.evaluation_debt > step_policy::kBudgetTime * max_evaluations_)
-            return Attempt::kOverBudget;
-        if (!(result_.error <= 1.0)) {
-            ++state.audit.rejections;
-            const double factor = step_policy::step_factor(result_.error, order);
-            h *= std::min(factor, 0.9);
-            state.proposed_step = h;
-            if (h < step_policy::kMinStep) {
-                return std::isfinite(result_.error) ? Attempt::kOverBudget : Attempt::kDiverged;
-            }
-            if (!has_rows || h >= underflow_step_) continue;
-            ++tick.underflows;
-            apply_impact(tick, 0.0);
-            state.proposed_step = contact_step_;
-            return Attempt::kUnderflow;
-        }
-        if (must_halve(tick, h)) {
-            ++state.audit.rejections;
-            h *= 0.5;
-            continue;
-        }
-        state.proposed_step = step_policy::next_length(result_.error, order, h, state.proposed_step,
-                                                       integrator_->max_step);
-        return Attempt::kAccepted;
-    }
+    if (has_rows && !midpoint) contacts_.build(tick.model, tick.law, tick.state.cache());
+    const Attempt outcome = step_policy::attempt(
+        limits_, {order, integrator_->max_step, has_rows}, tick.state, result_, h,
+        [&](double length) {
+            if (midpoint)
+                try_midpoint_step(tick, length);
+            else
+                try_step(tick, has_rows, length);
+        },
+        [&](double length) { return must_halve(tick, length); });
+    if (outcome != Attempt::kUnderflow) return outcome;
+    ++tick.underflows;
+    apply_impact(tick, 0.0);
+    tick.state.proposed_step = limits_.contact_step;
+    return outcome;
 }
 
 void StepControl::try_midpoint_step(Tick& tick, double h) {
     SimulationState& state = tick.state;
     tick.forcing.held = nullptr;
     const MotionSystem system{tick.model, tick.forcing, tick.length};
-    const StepRequest request{state.motion, state.free_rate, tick.time, h, tolerance_};
+    const StepRequest request{state.motion, state.free_rate, tick.time, h, limits_.tolerance};
     const PerCoordinate& prediction =
         state.has_last_acceleration ? state.last_acceleration : state.free_rate.acceleration;
     count_resting(tick, midpoint_.attempt(system, tick.law, {request, state.cache(), prediction},
@@ -389,7 +295,7 @@ void StepControl::try_step(Tick& tick, bool has_rows, double h) {
     start_rate_ = has_rows ? &held_start_rate(tick) : &state.free_rate;
     end_rate_ = &result_.end_rate;
     const MotionSystem system{tick.model, tick.forcing, tick.length};
-    integrator_->attempt(system, {state.motion, *start_rate_, tick.time, h, tolerance_},
+    integrator_->attempt(system, {state.motion, *start_rate_, tick.time, h, limits_.tolerance},
                          spare_.get(), result_);
 }
 
@@ -421,16 +327,13 @@ void StepControl::check_step_end(const Tick& tick) {
     end_energy_.reset();
 }
 
-// Positive work of contacts and limits shows that the step is too long for constant forces. So does
-// a joint that overruns a limit that was not selected. Energy that no work explains shows that it
-// is too long for its motion.
+// A joint that overruns a limit that was not selected shows that the step is too long, too.
 bool StepControl::must_halve(const Tick& tick, double h) {
     check_step_end(tick);
     if (h <= step_policy::kHalvingStep) return false;
     const double weight = tick.model.total_mass * kEarthGravity;
-    if (work_.positive > step_policy::kStepWorkAllowance * weight) return true;
-    if (result_.error > step_policy::kGainlessError &&
-        unexplained_gain(tick) > step_policy::kStepGainAllowance * weight)
+    if (step_policy::gives_energy(work_.positive, result_.error, weight,
+                                  [&] { return unexplained_gain(tick); }))
         return true;
     return end_overrun_ > step_policy::kMaxOverrun &&
            end_overrun_ > limit_overrun(tick.model, tick.state.cache().kinematics) +
@@ -446,65 +349,6 @@ double StepControl::unexplained_gain(const Tick& tick) {
     for (const Work w : {kMotorWork, kDragWork, kPullWork})
         gain -= result_.end.work[w] - tick.state.motion.work[w];
     return gain - work_.contact - work_.limit;
-}
-
-// Returns the trees on which nothing acted in the attempted step but what kSpinGiven measures.
-BodySet StepControl::free_trees(const Tick& tick) const {
-    const PlanarModel& model = tick.model;
-    const Forcing& forcing = tick.forcing;
-    const bool is_one = model.tree_count == 1;
-    const Medium& medium = forcing.medium;
-    if (!is_one &&
-        (medium.drag_linear > 0.0 || medium.drag_quadratic > 0.0 || !forcing.pulls.empty()))
-        return 0;
-    BodySet touched = 0;
-    const HeldForces& held = contacts_.held();
-    for (int c = 0; c < held.contact_count && touched != model.roots; ++c) {
-        const HeldForce& force = held.contacts[c];
-        if (force.force_x != 0.0 || force.force_y != 0.0) touched |= touched_trees(model, force);
-    }
-    return model.roots & ~touched;
-}
-
-// Turns free trees at the end of the tick's last step such that their angular momenta have changed
-// by what was given to them. This undoes the errors of integration, by which a creature could spin
-// itself up.
-void StepControl::restore_spins(Tick& tick, double h) {
-    const PlanarModel& model = tick.model;
-    SimulationState& state = tick.state;
-    const BodySet free = free_trees(tick);
-    const BodySet known = std::exchange(state.known_spins, free) & free;
-    const bool is_last = tick.time + h > tick.length - step_policy::kSliver;
-    if (!is_last && known == free) return;
-    BodySet left = free;
-    for (int t = 0; left != 0; ++t) {
-        const BodySet tree = BodySet{1} << model.tree_begin[t];
-        if ((left & tree) == 0) continue;
-        left &= ~tree;
-        if ((known & tree) == 0)
-            state.spin[t] =
-                spin_of_tree(model, state.motion, state.cache().kinematics, t).momentum -
-                state.motion.work[kSpinGiven];
-        if (!is_last) continue;
-        const double kinetic = restore_spin(model, t, state.spin[t], result_.end.work[kSpinGiven],
-                                            result_.end, spare_.get().kinematics);
-        end_energy_ = mechanical_energy(model, tick.forcing.medium, result_.end, kinetic);
-    }
-}
-
-// Notes in the audit what the angular momenta of free trees have gained in spite of that.
-void StepControl::check_spins(const PlanarModel& model, SimulationState& state) {
-    const Kinematics& k = state.cache().kinematics;
-    SceneAudit& audit = state.audit;
-    for (int t = 0; t < model.tree_count; ++t) {
-        if ((state.known_spins >> model.tree_begin[t] & 1U) == 0) continue;
-        const TreeSpin spin = spin_of_tree(model, state.motion, k, t);
-        const double gained = spin.momentum - state.spin[t] - state.motion.work[kSpinGiven];
-        audit.spin_gained = std::max(audit.spin_gained, std::fabs(gained));
-        audit.spin_scale =
-            std::max(audit.spin_scale,
-                     gross_spin_of_tree(model, state.motion, k, t) + kScaleSpin * spin.inertia);
-    }
 }
 
 void StepControl::accept(Tick& tick, bool has_rows, double h) {

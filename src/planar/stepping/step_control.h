@@ -3,6 +3,7 @@
 // The time loop of one tick: contact forces, attempts of steps, acceptance, impacts, energy audit
 // (planar/README.md 15).
 
+#include "dynamics/step_policy.h"
 #include "planar/constraints/contact_solver.h"
 #include "planar/stepping/midpoint_step.h"
 #include "planar/stepping/time_of_impact.h"
@@ -135,28 +136,21 @@ public:
     const SolverTally& solver_tally() const { return solver_tally_; }
 
 private:
-    struct Tick {
+    struct Tick : step_policy::Course {
         const PlanarModel& model;
         const ContactLaw& law;
         Forcing& forcing;
         SimulationState& state;
-        double length = 0.0;       // s
-        double time = 0.0;         // s, since its start
-        double start_depth = 0.0;  // m; of the deepest contact
-        int impacts = 0;
-        int underflows = 0;     // in a row
-        bool detected = false;  // contacts_ has detected the contacts of the present state
         // The last step ended where two boxes met that would have passed each other.
         bool must_stop = false;
     };
     void clear_all();
     void clear_beyond(const ChangedCounts& counts);
-    enum class Attempt { kAccepted, kUnderflow, kDiverged, kOverBudget };
+    using Attempt = step_policy::Attempt;
 
     SceneStatus step(Tick& tick);
     static void roll_back(Tick& tick, const Motion& start, const SceneAudit& audit_before);
     static void make_current(Tick& tick);
-    static void count_evaluations(Tick& tick, int evaluations);
     void apply_impact(Tick& tick, double restitution);
     double choose_length(Tick& tick, bool& has_rows);
     void count_resting(Tick& tick, bool solved);
@@ -167,15 +161,11 @@ private:
     const MotionRate& held_start_rate(Tick& tick);
     void respond_to_held(const Tick& tick, BodyResponse& response) const;
     void check_step_end(const Tick& tick);
-    bool is_too_deep(const Tick& tick, double start_depth, double h) const;
     std::optional<double> look_for_crossing(const Tick& tick, const StepEnds& ends,
                                             double start_depth);
     void reject_end(Tick& tick, double h);
     bool must_halve(const Tick& tick, double h);
     double unexplained_gain(const Tick& tick);
-    BodySet free_trees(const Tick& tick) const;
-    void restore_spins(Tick& tick, double h);
-    static void check_spins(const PlanarModel& model, SimulationState& state);
     void accept(Tick& tick, bool has_rows, double h);
     void accept_part(Tick& tick, double h, double share);
     void release_forces(Tick& tick);
@@ -184,10 +174,7 @@ private:
     static SceneStatus status_of(const Tick& tick);
 
     const IntegratorKind* integrator_;
-    double tolerance_;
-    double contact_step_;     // s; longest step with active rows
-    double underflow_step_;   // s; shorter steps with active rows count as an underflow
-    double max_evaluations_;  // a simulated second
+    step_policy::Limits limits_;
     ContactSolver contacts_;
     MidpointStep midpoint_;
     OwnedCache spare_;             // scratch space for the end of an attempt
