@@ -2,11 +2,11 @@
 
 #include "cluster/coordinator/batch.h"
 #include "cluster/coordinator/crash_search.h"
+#include "cluster/coordinator/disagreement.h"
 #include "cluster/coordinator/worker_roster.h"
 #include "cluster/messages/hello_text.h"
 #include "cluster/messages/judging_settings.h"
 #include "cluster/messages/proof_set.h"
-#include "cluster/messages/text_for_people.h"
 #include "cluster/messages/unit_text.h"
 #include "core/stopwatch.h"
 #include "core/thread_time.h"
@@ -16,14 +16,11 @@
 #include "persist/text/digest_text.h"
 #include "simulator/simulator_version.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <numeric>
-#include <set>
 #include <string>
 #include <thread>
 #include <utility>
@@ -37,12 +34,6 @@ using std::chrono::milliseconds;
 constexpr milliseconds kLongestPoll{50};
 constexpr milliseconds kLongestNap{50};
 constexpr std::size_t kWantedUnitBytes = 512'000;  // well below the default limit of servers
-constexpr double kDeadlineFactor = 20.0;           // multiple of the expected time
-constexpr double kLeastDeadline = 60.0;            // s
-constexpr double kLeastOverhead = 1e-3;            // s, of a batch
-// Number of workers, of as many logins, whose bits differ that ends a run.
-constexpr std::size_t kDisagreements = 2;
-
 class ClusterBackend final : public EvaluationBackend {
 public:
     ClusterBackend(const EvolutionKinds& kinds, std::unique_ptr<CoordinatorQueue> queue,
@@ -68,15 +59,13 @@ private:
 
     std::optional<JudgingSettings> travelling(const ExperimentSettings& settings);
     bool run(Call& call, const std::stop_token& stop);
-    void note_time(const Batch& batch, double seconds);
 
     // The part of a call that one core of this machine does.
     void serve_core(Call& call, const std::stop_token& stop);
     void perform(Call& call, const Batch::HomeTask& task);
     void compute_here(Call& call, std::size_t creature);
     void compute_apart(Call& call, const std::vector<std::size_t>& creatures);
-    void after_change(Call& call);  // mutex_ is held, as in the next
-    void judge_disagreements();
+    void after_change(Call& call);  // mutex_ is held
 
     // Runs on the dispatcher's thread.
     void dispatch(const std::stop_token& stop);
@@ -84,15 +73,24 @@ private:
     void say_hello();
     void take(CoordinatorNews news);
     void take_result(const UnitMessage& message);
-    void note_malformed();
+    void note_malformed() {
+        const std::lock_guard lock(mutex_);
+        ++memory_.counts.malformed;
+    }
 
     void store_settings();
     // Publishes as many units as are wanted now; the caller holds publishing_.
     void publish_units();
     bool publish_unit(Call& call);
     Cores cores() const;  // mutex_ is held
-    bool is_of_call(const UnitId& id) const;
-    void fail(std::string why);  // mutex_ is held
+    bool is_of_call(const UnitId& id) const {
+        return call_ != nullptr && id.run == options_.run &&
+               id.generation == call_->batch->generation();
+    }
+    void fail(std::string why) {  // mutex_ is held
+        if (failure_.empty()) failure_ = std::move(why);
+        changed_.notify_all();
+    }
     double now() const { return clock_.seconds(); }
 
     const EvolutionKinds& kinds_;
@@ -102,9 +100,8 @@ private:
     const Stopwatch clock_;
     const std::unique_ptr<CoordinatorQueue> queue_;
     ThreadPool pool_;
-    std::mutex evaluating_;  // one call at a time; guards the next two
-    std::optional<ExperimentSettings> judged_;
-    std::optional<JudgingSettings> judging_;  // what travels of them
+    std::mutex evaluating_;  // one call at a time; guards the next
+    KeptJudgingSettings judging_;
 
     std::mutex publishing_;  // guards the writer and the end of a call; taken before mutex_
     UnitWriter writer_;
@@ -175,16 +172,13 @@ bool ClusterBackend::evaluate(std::span<const EvaluationRequest> requests,
     return whole;
 }
 
-// Returns the settings that are sent to workers; they are the same from call to call.
+// Returns the settings that are sent to workers.
 std::optional<JudgingSettings> ClusterBackend::travelling(const ExperimentSettings& settings) {
-    if (judged_ && judge_alike(*judged_, settings)) return judging_;
-    judged_ = settings;
-    const Result<JudgingSettings> judging = judging_settings(settings, kinds_);
-    judging_.reset();
-    if (judging) judging_ = *judging;
+    const Result<JudgingSettings>& judging = judging_.of(settings, kinds_);
+    if (judging) return *judging;
     const std::lock_guard lock(mutex_);
-    if (!judging) complaint_ = judging.error().message;
-    return judging_;
+    complaint_ = judging.error().message;
+    return std::nullopt;
 }
 
 bool ClusterBackend::run(Call& call, const std::stop_token& stop) {
@@ -207,17 +201,12 @@ bool ClusterBackend::run(Call& call, const std::stop_token& stop) {
         call_ = nullptr;
         whole = failure_.empty() && call.batch->complete();
         left = call.batch->anything_outstanding();
-        if (whole) note_time(*call.batch, now() - begun);
+        const double work = call.batch->core_seconds();
+        if (whole && work > 0.0)
+            useful_cores_ = useful_cores_of_batch(work, now() - begun, cores());
     }
     if (left) queue_->withdraw_generation(options_.run, call.batch->generation());
     return whole;
-}
-
-// Estimates the number of useful cores from the work and the waiting of a batch.
-void ClusterBackend::note_time(const Batch& batch, double seconds) {
-    const double ideal = batch.core_seconds() / static_cast<double>(cores().all());
-    const double overhead = std::max(kLeastOverhead, seconds - ideal);
-    if (batch.core_seconds() > 0.0) useful_cores_ = useful_cores(batch.core_seconds(), overhead);
 }
 
 void ClusterBackend::serve_core(Call& call, const std::stop_token& stop) {
@@ -283,32 +272,9 @@ void ClusterBackend::compute_apart(Call& call, const std::vector<std::size_t>& c
 
 void ClusterBackend::after_change(Call& call) {
     call.progress.done = call.done_before + static_cast<std::uint32_t>(call.batch->settled());
-    judge_disagreements();
-    changed_.notify_all();
-}
-
-// One login may invent any number of workers, so theirs alone end no run.
-void ClusterBackend::judge_disagreements() {
-    if (memory_.other_bits.size() < kDisagreements) return;
-    std::set<std::string> logins;
-    for (const std::uint64_t worker : memory_.other_bits)
-        logins.insert(roster_.login_of(worker));
-    if (logins.size() >= kDisagreements) {
-        fail(
-            "results of two workers differed from this machine's, although all passed the proof "
-            "trials: this machine or this build is more likely at fault than both of them; "
-            "the run stops here");
-    } else {
-        complaint_ = fmt::format(
-            "results of several workers with the login {} differed from this machine's, although "
-            "all passed the proof trials: either that login is in wrong hands, or this machine or "
-            "this build is at fault",
-            text_for_people(*logins.begin(), kLongestName));
-    }
-}
-
-void ClusterBackend::fail(std::string why) {
-    if (failure_.empty()) failure_ = std::move(why);
+    Disagreement found = judge_disagreement(memory_.other_bits, roster_);
+    if (!found.failure.empty()) fail(std::move(found.failure));
+    if (!found.complaint.empty()) complaint_ = std::move(found.complaint);
     changed_.notify_all();
 }
 
@@ -353,7 +319,7 @@ bool ClusterBackend::publish_unit(Call& call) {
     const UnitTerms terms{.settings = call.judging->key,
                           .simulator = std::string(kSimulatorVersion),
                           .proof = proof_,
-                          .deadline = std::max(kLeastDeadline, kDeadlineFactor * plan->seconds)};
+                          .deadline = unit_deadline(plan->seconds)};
     UnitMessage message{{options_.run, call.batch->generation(), plan->number},
                         writer_.write(terms, call.batch->requests_of(plan->creatures))};
     const bool divisible = plan->creatures.size() > 1;
@@ -436,16 +402,6 @@ void ClusterBackend::take(CoordinatorNews news) {
     memory_.counts.malformed += news.garbage;
     if (!news.complaints.empty()) complaint_ = std::move(news.complaints.back());
     if (!news.empty()) changed_.notify_all();
-}
-
-void ClusterBackend::note_malformed() {
-    const std::lock_guard lock(mutex_);
-    ++memory_.counts.malformed;
-}
-
-bool ClusterBackend::is_of_call(const UnitId& id) const {
-    return call_ != nullptr && id.run == options_.run &&
-           id.generation == call_->batch->generation();
 }
 
 void ClusterBackend::take_result(const UnitMessage& message) {

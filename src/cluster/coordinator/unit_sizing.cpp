@@ -59,4 +59,16 @@ double unit_seconds(LeftWork left, const Cores& cores) {
     return std::min(guided, even);
 }
 
+double unit_deadline(double seconds) {
+    constexpr double kFactor = 20.0;
+    constexpr double kLeast = 60.0;  // s
+    return std::max(kLeast, kFactor * seconds);
+}
+
+double useful_cores_of_batch(double core_seconds, double seconds, const Cores& cores) {
+    constexpr double kLeastOverhead = 1e-3;  // s
+    const double ideal = core_seconds / static_cast<double>(cores.all());
+    return useful_cores(core_seconds, std::max(kLeastOverhead, seconds - ideal));
+}
+
 }  // namespace cambrian

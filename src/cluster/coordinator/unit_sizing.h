@@ -27,6 +27,9 @@ private:
     double seconds_ = 3e-3;  // s
 };
 
+// Returns after which time a unit that is expected to take so long is late, s.
+double unit_deadline(double seconds);
+
 // Cores that share a batch.
 struct Cores {
     std::size_t own = 1;
@@ -34,6 +37,10 @@ struct Cores {
 
     std::size_t all() const { return own + remote; }
 };
+
+// Estimates the number of useful cores from the work of a batch (s of one core, above 0) and the
+// time it took (s).
+double useful_cores_of_batch(double core_seconds, double seconds, const Cores& cores);
 
 // The work that is left of a batch, in s of one core.
 struct LeftWork {

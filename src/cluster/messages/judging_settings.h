@@ -7,6 +7,7 @@
 #include "evolution/settings/experiment_settings.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,6 +29,23 @@ std::uint64_t settings_key(std::string_view text);
 // kMostSettingsBytes.
 Result<JudgingSettings> judging_settings(const ExperimentSettings& settings,
                                          const EvolutionKinds& kinds);
+
+// Has them made again only for settings with which results differ.
+class KeptJudgingSettings {
+public:
+    const Result<JudgingSettings>& of(const ExperimentSettings& settings,
+                                      const EvolutionKinds& kinds) {
+        if (!judged_ || !judge_alike(*judged_, settings)) {
+            judged_ = settings;
+            made_ = judging_settings(settings, kinds);
+        }
+        return made_;
+    }
+
+private:
+    std::optional<ExperimentSettings> judged_;
+    Result<JudgingSettings> made_ = Error{};
+};
 
 // Reads the text; `source` names it in messages.
 Result<ExperimentSettings> read_judging_settings(std::string_view text, std::string_view source,

@@ -28,7 +28,6 @@ constexpr auto kPauseWhenFull = 500ms;
 constexpr auto kPauseWithoutStreams = 500ms;
 constexpr auto kLastResults = 300ms;
 constexpr std::size_t kHeaderBytes = 1024;       // largest header of a message
-constexpr int kMostHellosWaiting = 4096;         // messages not yet polled
 constexpr int kMostResultsWaiting = 64'000'000;  // bytes of results not yet polled
 constexpr std::size_t kMostAtOnce = 1000;        // results of one poll
 
@@ -442,27 +441,6 @@ Result<std::unique_ptr<CoordinatorQueue>> connect_coordinator(const ClusterAddre
     auto queue = std::make_unique<NatsCoordinatorQueue>(address, experiment);
     if (const Status opened = queue->open(); !opened) return opened.error();
     return std::unique_ptr<CoordinatorQueue>(std::move(queue));
-}
-
-Result<std::vector<std::string>> listen_to_cluster(const ClusterAddress& address,
-                                                   std::chrono::milliseconds time) {
-    const NatsSubjects subjects(address.name);
-    auto connected = NatsSession::connect(address, subjects.coordinator_inbox());
-    if (const auto* failure = std::get_if<LinkFailure>(&connected)) return Error{failure->message};
-    const auto session = std::get<NatsSessionPtr>(connected);
-    const auto hellos = NatsSubscription::plain(session, subjects.all_hellos(), kMostHellosWaiting);
-    if (!hellos) return Error{last_nats_error()};
-    std::vector<std::string> texts;
-    const auto end = Clock::now() + time;
-    for (auto now = Clock::now(); now < end; now = Clock::now()) {
-        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - now) + 1ms;
-        const auto message = hellos->next(left);
-        if (message && body_of(*message).size() <= kMostHelloBytes)
-            texts.emplace_back(body_of(*message));
-    }
-    if (const std::string refusal = session->take_refusal(); !refusal.empty())
-        return Error{refusal};
-    return texts;
 }
 
 }  // namespace cambrian

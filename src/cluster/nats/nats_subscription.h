@@ -12,6 +12,8 @@
 
 namespace cambrian {
 
+inline constexpr int kMostHellosWaiting = 4096;  // messages not yet polled
+
 class NatsSubscription {
 public:
     // Keeps at most `most_messages` messages that were not taken, and drops later ones.

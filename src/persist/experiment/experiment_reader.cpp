@@ -3,6 +3,7 @@
 #include "core/text/parsed_number.h"
 #include "core/text/shown_text.h"
 #include "evolution/individual/population_digest.h"
+#include "persist/experiment/injection_places.h"
 #include "persist/records/experiment_schema.h"
 #include "persist/records/individual_reader.h"
 #include "persist/records/kept_opponents.h"
@@ -86,29 +87,6 @@ SettingsPtr read_settings(const Database& database, std::int64_t id, const Evolu
     parsed->world.opponents = read_opponents(database, id, kinds);
     return std::make_shared<const ExperimentSettings>(std::move(*parsed));
 }
-
-// The number of injected creatures for which each generation has places. Further ones have no
-// effect.
-class Places {
-public:
-    // Must be called in the order of the journal.
-    void change(std::uint32_t generation, const ExperimentSettings& settings) {
-        places_[generation] = static_cast<std::size_t>(settings.population.size);
-    }
-    std::size_t founders() const { return founders_; }
-    std::size_t of(std::uint32_t generation) const {
-        const auto after = places_.upper_bound(generation);
-        return after == places_.begin() ? 0 : std::prev(after)->second;
-    }
-    void begin(const ExperimentSettings& settings) {
-        founders_ = static_cast<std::size_t>(settings.population.size);
-        change(0, settings);
-    }
-
-private:
-    std::size_t founders_ = 0;
-    std::map<std::uint32_t, std::size_t> places_;  // keyed by the first generation it holds for
-};
 
 class ExperimentReader {
 public:
@@ -209,14 +187,6 @@ private:
         }
     }
 
-    // Returns whether one more injected creature has a place; the first place is always the
-    // champion's.
-    bool has_place(std::uint32_t generation) {
-        if (generation != injected_generation_) injected_ = 0;
-        injected_generation_ = generation;
-        return ++injected_ < places_.of(generation);
-    }
-
     void read_command(const Statement& row, std::uint32_t generation) {
         const std::string_view command = row.text(1);
         std::vector<NotedCommand>& journal = read_.saved.journal;
@@ -230,7 +200,7 @@ private:
         } else if (command == "settings") {
             journal.push_back({generation, ChangeSettings{settings(row.integer(2))}});
         } else if (command == "inject") {
-            if (has_place(generation))
+            if (places_.take(generation))
                 journal.push_back({generation, InjectGenome{genotype(row, 4)}});
         } else if (command == "newcomers") {
             journal.push_back({generation, AddImmigrants{share_of(row, 3)}});
@@ -395,9 +365,7 @@ private:
     IndividualReader individuals_;
     GenotypeReader genotypes_;
     std::map<std::int64_t, SettingsPtr> settings_;
-    Places places_;
-    std::uint32_t injected_generation_ = 0;
-    std::size_t injected_ = 0;  // creatures injected into that generation so far
+    InjectionPlaces places_;
     ReadExperiment read_;
 };
 
