@@ -3,6 +3,7 @@
 #include "core/text/code_points.h"
 #include "core/text/counted.h"
 #include "core/text/shown_score.h"
+#include "evolution/settings/chance.h"
 #include "persist/creature/page_document.h"
 #include "persist/text/web_text.h"
 
@@ -38,8 +39,8 @@ std::string facts_of_challenge(const Challenge& challenge, const EvolutionKinds&
                        settings.max_evaluations, challenge.table.simulator);
 }
 
-std::string how_it_is_ranked(const Challenge& challenge, const EvolutionKinds& kinds) {
-    return has_chance(challenge.settings, kinds)
+std::string how_it_is_ranked(const Challenge& challenge) {
+    return has_chance(challenge.settings.world)
                ? fmt::format(
                      "Every creature was computed again and compared with its file bit by "
                      "bit, then ranked by trials of its own, with seed {}.",
@@ -91,7 +92,7 @@ std::string board_markdown(const ChallengeBoard& board, const std::filesystem::p
         "# {}\n\n{}\n\n{}\n\n| rank | creature | score | parts | file |\n"
         "|---:|---|---:|---:|---|\n",
         markdown_text(challenge_title(board.challenge)), facts_of_challenge(board.challenge, kinds),
-        how_it_is_ranked(board.challenge, kinds));
+        how_it_is_ranked(board.challenge));
     for (std::size_t i = 0; i < board.ranked.size(); ++i) {
         const BoardEntry& entry = board.ranked[i];
         const std::string link = link_to(entry.file, folder);
@@ -117,7 +118,7 @@ std::string board_html(const ChallengeBoard& board, const std::filesystem::path&
         "<h1>{}</h1><p>{}<br>{}</p>\n<table><tr><th>rank</th><th></th><th>creature"
         "</th><th>score</th><th>parts</th></tr>\n",
         title, html_text(facts_of_challenge(board.challenge, kinds)),
-        html_text(how_it_is_ranked(board.challenge, kinds)));
+        html_text(how_it_is_ranked(board.challenge)));
     for (std::size_t i = 0; i < board.ranked.size(); ++i) {
         const BoardEntry& entry = board.ranked[i];
         const std::string link = link_to(entry.file, folder);

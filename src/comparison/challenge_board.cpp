@@ -3,6 +3,7 @@
 #include "core/text/shown_score.h"
 #include "evolution/evaluation/trials.h"
 #include "evolution/fields/setting_field.h"
+#include "evolution/settings/chance.h"
 #include "genome/creature_name.h"
 #include "persist/creature/rescoring.h"
 #include "persist/text/digest_text.h"
@@ -38,7 +39,7 @@ ExperimentSettings judging_as(const ExperimentSettings& own, const ExperimentSet
 // Returns in what the entry's world differs, or nothing.
 std::string other_world(const ExperimentSettings& challenge, const ExperimentSettings& entry,
                         const EvolutionKinds& kinds) {
-    const ExperimentSettings judging = judging_as(challenge, entry, has_chance(challenge, kinds));
+    const ExperimentSettings judging = judging_as(challenge, entry, has_chance(challenge.world));
     if (same_judgement(challenge, judging)) return {};
     for (const SettingField& field : setting_fields(kinds)) {
         const SettingValue expected = value_of(field, challenge);
@@ -89,7 +90,7 @@ void judge(BoardEntry& entry, const Challenge& challenge, const EvolutionKinds& 
     ExperimentSettings settings = challenge.settings;
     settings.seed = challenge.table.held_out_seed;
     const EvaluationResult result =
-        has_chance(settings, kinds)
+        has_chance(settings.world)
             ? held_out_result(document.creature.individual->genome, settings, kinds, stop)
             : again;
     entry.score = result.fitness;
@@ -119,14 +120,6 @@ void refuse_copies(std::vector<BoardEntry>& entries) {
 }
 
 }  // namespace
-
-bool has_chance(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
-    const TrialSettings& trial = settings.world.trial;
-    const GoalKind* goal = kinds.goals.find(settings.goal);
-    const Environment& world = settings.world.environment;
-    const bool drawn = world.has_light || world.has_wall || (goal && goal->shares != nullptr);
-    return drawn || (trial.trials > 1 && (trial.friction_jitter > 0.0 || trial.tilt_jitter > 0.0));
-}
 
 Status check_challenge(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
     const GoalKind* goal = kinds.goals.find(settings.goal);

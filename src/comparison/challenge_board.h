@@ -31,16 +31,13 @@ struct ChallengeBoard {
     std::vector<BoardEntry> refused;  // in the order given
 };
 
-// Returns whether chance has a part in a trial under these settings. Entries are then ranked by
-// trials that no search has seen.
-bool has_chance(const ExperimentSettings& settings, const EvolutionKinds& kinds);
-
 // Fails if the settings cannot be a challenge: if a score depends on other creatures.
 Status check_challenge(const ExperimentSettings& settings, const EvolutionKinds& kinds);
 
 // Judges creature files, cards and pages. An entry is refused if it has no score, if its score or
 // motion is not what its trial gives, if its world or version of the simulator is another one, or
-// if it moves to the last bit like one before it. Notes how many are judged; fails if stopped.
+// if it moves to the last bit like one before it. Where trials draw something by chance, entries
+// are ranked by trials that no search has seen. Notes how many are judged; fails if stopped.
 Result<ChallengeBoard> judge_entries(const Challenge& challenge,
                                      const std::vector<std::filesystem::path>& files,
                                      const EvolutionKinds& kinds, ThreadPool& pool,

@@ -1,6 +1,7 @@
 // Chance that is drawn again every so many generations.
 #include "evolution/evaluation/trials.h"
 #include "evolution/evolution.h"
+#include "evolution/settings/chance.h"
 #include "evolution/settings/goal_defaults.h"
 #include "support/catch.h"
 #include "support/fake_backend.h"
@@ -85,4 +86,28 @@ TEST_CASE("other goals draw once", "[evolution][renewal]") {
         REQUIRE(evolution.evaluate(backend, progress, {}));
     }
     CHECK(evolution.settings().world.trial.draw == 0);
+}
+
+TEST_CASE("chance has a part in trials that draw something", "[evolution][renewal]") {
+    const auto drawn_after = [](void (*change)(TrialWorld & world)) {
+        TrialWorld world;
+        change(world);
+        return has_chance(world);
+    };
+    CHECK_FALSE(drawn_after([](TrialWorld&) {}));
+    CHECK(drawn_after([](TrialWorld& world) { world.environment.has_wall = true; }));
+    CHECK_FALSE(drawn_after([](TrialWorld& world) { world.environment.has_light = true; }));
+    CHECK(drawn_after([](TrialWorld& world) {
+        world.environment.has_light = true;
+        world.environment.light_motion = "jumping";
+    }));
+    CHECK_FALSE(drawn_after([](TrialWorld& world) { world.environment.terrain.same = false; }));
+    CHECK(drawn_after([](TrialWorld& world) {
+        world.environment.terrain.kind = "rough";
+        world.environment.terrain.same = false;
+    }));
+    CHECK(drawn_after([](TrialWorld& world) {
+        world.trial.trials = 2;
+        world.trial.tilt_jitter = 1.0;
+    }));
 }

@@ -1,16 +1,11 @@
 #include "evolution/fields/setting_table.h"
+#include "evolution/settings/chance.h"
 
 namespace cambrian::setting_table {
 namespace {
 
 bool several(const Settings& settings) {
     return settings.world.trial.trials > 1;
-}
-
-bool depends_on_chance(const Settings& settings) {
-    const Environment& world = settings.world.environment;
-    return several(settings) || world.has_wall || !world.terrain.same ||
-           (world.has_light && world.light_motion != "still");
 }
 
 }  // namespace
@@ -45,7 +40,7 @@ void add_trials(TableBuilder& trial) {
         "walls are drawn again, for all creatures, and all scores are computed again. 0 means "
         "never.");
     renewal.later = true;
-    renewal.applies = depends_on_chance;
+    renewal.applies = [](const Settings& settings) { return has_chance(settings.world); };
     SettingField& draw = trial.number(&TrialSettings::draw, "draw", "Renewals", "", Range{0, 1e6},
                                       "The number of times that the changes were drawn again so "
                                       "far. The run itself counts them.");
