@@ -5,7 +5,7 @@
 #include "pictures/scene/follow_camera.h"
 #include "pictures/scene/scene_builder.h"
 #include "studio/look/overlays.h"
-#include "studio/viewer/trial_words.h"
+#include "studio/playback/trial_words.h"
 #include "studio/widgets/widgets.h"
 
 #include <fmt/core.h>

@@ -1,4 +1,4 @@
-#include "studio/viewer/trial_words.h"
+#include "studio/playback/trial_words.h"
 
 #include <fmt/core.h>
 
