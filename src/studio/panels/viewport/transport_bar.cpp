@@ -13,9 +13,8 @@
 namespace cambrian {
 namespace {
 
-constexpr float kNarrowBar = 640.0F;        // width below which the speeds do not all fit
-constexpr float kLeastWithTrials = 740.0F;  // narrower bars leave other trials to the keys
-constexpr float kLeastWithSteps = 400.0F;   // narrower bars leave single ticks to the keys
+constexpr float kNarrowBar = 640.0F;       // width below which the speeds do not all fit
+constexpr float kLeastWithSteps = 400.0F;  // narrower bars leave single ticks to the keys
 
 bool is_narrow_bar() {
     return ImGui::GetWindowWidth() < px(kNarrowBar);
@@ -103,20 +102,6 @@ void draw_speeds(const FrameContext& frame, Requests& out) {
     out.ask(ChangeView{view});
 }
 
-// Draws the button that turns to the next trial, if the creature has several.
-void draw_trials(const FrameContext& frame, Requests& out) {
-    const Playback& playback = frame.viewer.playback;
-    if (playback.empty() || ImGui::GetWindowWidth() < px(kLeastWithTrials)) return;
-    if (playback.exhibit().settings().world.trial.trials < 2) return;
-    ImGui::SameLine(0, px(12));
-    if (push_button("Next trial",
-                    {.look = ButtonLook::kGhost,
-                     .width = px(88),
-                     .tooltip = "Another of the trials that the score combines (Shift+.); the one "
-                                "before: Shift+,"}))
-        out.ask(TurnTrial{1});
-}
-
 // Draws the button "Newest" at the right. A viewer has no evolution and no such button.
 void draw_newest(const FrameContext& frame, Requests& out) {
     const float width = px(is_narrow_bar() ? 66 : 78);
@@ -152,7 +137,6 @@ void TransportBar::draw(const FrameContext& frame, Requests& out) {
         out.ask(StepPlayback{});
     ImGui::SameLine(0, px(is_narrow_bar() ? 8 : 16));
     draw_speeds(frame, out);
-    draw_trials(frame, out);
     draw_newest(frame, out);
     if (icon_button("Follow", Icon::kFollow, "Follow the creature (F)", frame.view.follow)) {
         ViewState view = frame.view;

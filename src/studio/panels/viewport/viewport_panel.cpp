@@ -26,7 +26,8 @@ namespace {
 constexpr double kFollowLag = 0.25;         // s; time constant with which the camera follows
 constexpr double kFollowMargin = 0.06;      // share of the viewport kept free around the body
 constexpr double kFitShare = 0.40;          // share of the viewport filled by a body after FitView
-constexpr double kFitShareOfContest = 0.8;  // the same, by both creatures and the cube
+constexpr double kFitShareOfCompany = 0.8;  // the same, by both creatures and the cube, or a hunter
+constexpr double kHunterRoom = 0.3;         // m, half the width of a hunter
 constexpr float kActionsTop = 64.0F;        // of the buttons below the words, from the top
 constexpr double kFarthestLight = 1000.0;   // m; limit of the setting
 
@@ -70,6 +71,29 @@ WorldWindow shown_bounds(const Playback& playback) {
     const PlayedCreature& creature = playback.creature();
     const WorldWindow body = body_window(creature.phenotype(), creature.motion().poses());
     return playback.trial().bout() == nullptr ? body : with_bout(body, bout_look(playback));
+}
+
+bool is_hunted(const Playback& playback) {
+    const Environment& environment = playback.creature().replay().environment();
+    return environment.has_light && environment.light_motion == "hunting";
+}
+
+bool has_company(const Playback& playback) {
+    return playback.trial().bout() != nullptr || is_hunted(playback);
+}
+
+// Returns the same with room for a hunter on either side.
+WorldWindow fitted_bounds(const Playback& playback) {
+    WorldWindow bounds = shown_bounds(playback);
+    if (!is_hunted(playback)) return bounds;
+    const PlayedCreature& creature = playback.creature();
+    const double reach =
+        creature.replay().environment().light_farthest * creature.phenotype().rest_length() +
+        kHunterRoom;
+    const double middle = creature.motion().center().x();
+    bounds.low.x() = std::min(bounds.low.x(), middle - reach);
+    bounds.high.x() = std::max(bounds.high.x(), middle + reach);
+    return bounds;
 }
 
 }  // namespace
@@ -134,8 +158,8 @@ Vec2 ViewportPanel::follow_target(const FrameContext& frame) const {
 void ViewportPanel::fit_now(const FrameContext& frame) {
     fit_wanted_ = false;
     const Playback& playback = frame.viewer.playback;
-    const double share = playback.trial().bout() == nullptr ? kFitShare : kFitShareOfContest;
-    canvas_.camera.fit(shown_bounds(playback), share, canvas_.size());
+    const double share = has_company(playback) ? kFitShareOfCompany : kFitShare;
+    canvas_.camera.fit(fitted_bounds(playback), share, canvas_.size());
     canvas_.camera.center = follow_target(frame);
 }
 
@@ -149,8 +173,7 @@ void ViewportPanel::place_camera(const FrameContext& frame) {
         const Vec2 pixels = (bounds.high - bounds.low) * canvas_.camera.pixels_per_metre;
         const double share =
             std::max(pixels.x() / canvas_.size().width, pixels.y() / canvas_.size().height);
-        const bool contest = frame.viewer.playback.trial().bout() != nullptr;
-        fit_wanted_ = contest || share > 0.7 || share < 0.12;
+        fit_wanted_ = has_company(frame.viewer.playback) || share > 0.7 || share < 0.12;
         if (frame.view.follow) canvas_.camera.center = follow_target(frame);
     }
     if (fit_wanted_) {

@@ -79,6 +79,11 @@ void draw_shown_actions(const FrameContext& frame, const ImVec2& at, Requests& o
     if (!frame.in_space() &&
         action("Into a preserve", "Copies of it begin a closed world that goes on by itself"))
         out.ask(BeginPreserve{FounderChoice::kShown, false});
+    if (its.world.trial.trials > 1 &&
+        action("Next trial",
+               "Another of the trials that its score combines (Shift+.); the one "
+               "before: Shift+,"))
+        out.ask(TurnTrial{1});
     if (action("Save it", "In a file of its own, or as a card (Ctrl+S)"))
         out.ask(OpenFilePanel{FileTask::kSaveCreature});
     ImGui::NewLine();
