@@ -7,6 +7,7 @@ namespace cambrian {
 void list_boxes(const SpaceFrame& frame, ShadingBoxes& boxes) {
     boxes.solids.clear();
     boxes.numbers.clear();
+    const Vec3 sun = frame.light.direction.normalized();
     for (std::size_t i = 0; i < frame.solids.size() && boxes.solids.size() < kMostShading; ++i) {
         const Solid& solid = frame.solids[i];
         if (!solid.shadows || solid.fill.a < 1.0F) continue;
@@ -18,9 +19,16 @@ void list_boxes(const SpaceFrame& frame, ShadingBoxes& boxes) {
                 boxes.numbers.push_back(number);
             boxes.numbers.push_back(at[static_cast<std::size_t>(axis)]);
         }
-        for (const float number : floats(solid.half_extents))
-            boxes.numbers.push_back(number);
-        boxes.numbers.push_back(0.0F);
+        const Vec3 light = turn.transpose() * sun;
+        const auto inverse = [](double share) {
+            constexpr double kLeast = 1e-6;
+            return 1.0 / (share < 0.0 ? std::min(share, -kLeast) : std::max(share, kLeast));
+        };
+        for (const Vec3& three : {solid.half_extents, Vec3(light.unaryExpr(inverse))}) {
+            for (const float number : floats(three))
+                boxes.numbers.push_back(number);
+            boxes.numbers.push_back(0.0F);
+        }
     }
 }
 
@@ -84,8 +92,9 @@ std::vector<SolidInstance> instances_of(const SpaceFrame& frame, const ShadingBo
         std::stable_sort(neighbours.begin(), neighbours.end(),
                          [](const Neighbour& a, const Neighbour& b) { return a.away < b.away; });
         for (std::size_t k = 0; k < kBesideSolid; ++k)
-            instance.beside[k] =
-                k < neighbours.size() ? static_cast<float>(neighbours[k].box) : -1.0F;
+            instance.beside[k] = k < std::min(neighbours.size(), frame.shading)
+                                     ? static_cast<float>(neighbours[k].box)
+                                     : -1.0F;
         instances.push_back(instance);
     }
     return instances;

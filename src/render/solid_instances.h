@@ -12,9 +12,9 @@
 namespace cambrian {
 
 // Further solids neither cast nor receive shadows.
-inline constexpr std::size_t kMostShading = 256;
+inline constexpr std::size_t kMostShading = 200;
 inline constexpr std::size_t kBesideSolid = 8;  // boxes that may shade a solid
-inline constexpr std::size_t kBoxFloats = 16;
+inline constexpr std::size_t kBoxFloats = 20;
 
 using Floats3 = std::array<float, 3>;
 

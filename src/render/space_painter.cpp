@@ -18,15 +18,11 @@ namespace {
 constexpr int kShadowSide = 96;     // texels
 constexpr double kPenumbra = 0.30;  // width of a shadow's edge, in metres a metre of its height
 
-// Places of shaders. There is one of the floor for each set of its features, and one of solids for
-// each pattern.
-enum : std::size_t { kSky, kShadow, kShaded, kInk, kMark, kSmooth, kFloor };
+enum : std::size_t { kSky, kShadow, kShaded, kInk, kMark, kSmooth };  // places of shaders
+// Features of floors.
 constexpr std::size_t kGrainy = 1;
 constexpr std::size_t kRippled = 2;
 constexpr std::size_t kLined = 4;
-constexpr std::size_t kFloors = 8;
-constexpr std::size_t kSolid = kFloor + kFloors;
-constexpr std::size_t kSolids = static_cast<std::size_t>(kSkinPatterns);
 
 Result<Shader> compile(std::initializer_list<const char*> vertex,
                        std::initializer_list<const char*> fragment) {
@@ -37,6 +33,22 @@ Result<Shader> compile(std::initializer_list<const char*> vertex,
     for (const char* part : fragment)
         second += part;
     return Shader::compile(first.c_str(), second.c_str());
+}
+
+Result<Shader> compile_floor(std::size_t features) {
+    using namespace space_shader;
+    const auto given = [features](std::size_t feature, const char* name) {
+        return (features & feature) != 0 ? name : "";
+    };
+    return compile({kFloorVertex},
+                   {given(kGrainy, "#define GRAIN\n"), given(kRippled, "#define RIPPLES\n"),
+                    given(kLined, "#define LINES\n"), kAround, kFloorFragment});
+}
+
+Result<Shader> compile_solid(std::size_t pattern) {
+    using namespace space_shader;
+    const std::string given = "#define PATTERN " + std::to_string(pattern) + "\n";
+    return compile({kSolidVertex}, {given.c_str(), kAround, kBoxes, kSolidFragment});
 }
 
 }  // namespace
@@ -58,27 +70,40 @@ Result<SpacePainter> SpacePainter::create() {
     add(compile({kSolidVertex}, {kAround, kInkFragment}));
     add(compile({kMarkVertex}, {kMarkFragment}));
     add(compile({kShadowVertex}, {kSmoothFragment}));
-    for (std::size_t features = 0; features < kFloors; ++features) {
-        const auto given = [features](std::size_t feature, const char* name) {
-            return (features & feature) != 0 ? name : "";
-        };
-        add(compile({kFloorVertex},
-                    {given(kGrainy, "#define GRAIN\n"), given(kRippled, "#define RIPPLES\n"),
-                     given(kLined, "#define LINES\n"), kAround, kFloorFragment}));
-    }
-    for (std::size_t pattern = 0; pattern < kSolids; ++pattern) {
-        const std::string given = "#define PATTERN " + std::to_string(pattern) + "\n";
-        add(compile({kSolidVertex}, {given.c_str(), kAround, kBoxes, kSolidFragment}));
+    auto floor = compile_floor(0);
+    auto solid = compile_solid(0);
+    for (const auto* shader : {&floor, &solid}) {
+        if (!*shader && well) well = shader->error();
     }
     if (!well) return well.error();
-    return SpacePainter(std::move(shaders));
+    SpacePainter painter(std::move(shaders));
+    painter.floors_[0].emplace(std::move(*floor));
+    painter.solids_[0].emplace(std::move(*solid));
+    return painter;
 }
 
 SpacePainter::SpacePainter(std::vector<Shader> shaders)
     : shaders_(std::move(shaders)), objects_(std::make_unique<SpaceBuffers>()) {
     shaders_[kShadow].use_block("Boxes", 0);
-    for (std::size_t pattern = 0; pattern < kSolids; ++pattern)
-        shaders_[kSolid + pattern].use_block("Boxes", 0);
+}
+
+// The others are compiled when they are needed. If a driver refuses one, the plain one serves.
+const Shader& SpacePainter::floor_shader(std::size_t features) {
+    std::optional<Shader>& shader = floors_[features];
+    if (!shader) {
+        if (auto made = compile_floor(features)) shader.emplace(std::move(*made));
+    }
+    return shader ? *shader : *floors_[0];
+}
+
+const Shader& SpacePainter::solid_shader(std::size_t pattern) {
+    std::optional<Shader>& shader = solids_[pattern];
+    if (!shader) {
+        if (auto made = compile_solid(pattern)) shader.emplace(std::move(*made));
+    }
+    const Shader& chosen = shader ? *shader : *solids_[0];
+    chosen.use_block("Boxes", 0);
+    return chosen;
 }
 
 SpacePainter::~SpacePainter() = default;
@@ -172,7 +197,7 @@ void SpacePainter::draw_floor(const SpaceFrame& frame, const Seen& seen) {
     const std::size_t features = (floor.grain > 0.0F ? kGrainy : 0) |
                                  (floor.ripples > 0.0F ? kGrainy | kRippled : 0) |
                                  (floor.lines.a > 0.0F ? kLined : 0);
-    const Shader& shader = shaders_[kFloor + features];
+    const Shader& shader = floor_shader(features);
     shader.use();
     give_around(shader, frame, seen.eye, seen.sun);
     give(shader, "view", seen.view);
@@ -245,7 +270,7 @@ void SpacePainter::draw_runs(std::span<const SolidInstance> instances, const Spa
             std::find_if(instances.begin(), instances.end(),
                          [pattern](const SolidInstance& each) { return each.look[0] != pattern; });
         const auto count = static_cast<std::size_t>(end - instances.begin());
-        prepare(shaders_[kSolid + static_cast<std::size_t>(pattern)], frame, seen, 0.0);
+        prepare(solid_shader(static_cast<std::size_t>(pattern)), frame, seen, 0.0);
         objects_->fill(instances.first(count));
         objects_->draw_solids(count);
         instances = instances.subspan(count);

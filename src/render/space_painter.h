@@ -10,6 +10,7 @@
 #include "render/space_buffers.h"
 #include "render/space_frame.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -35,6 +36,8 @@ private:
     struct Place;
 
     explicit SpacePainter(std::vector<Shader> shaders);
+    const Shader& floor_shader(std::size_t features);
+    const Shader& solid_shader(std::size_t pattern);
     bool make_room(int width, int height);
     Footprint footprint_of(const SpaceFrame& frame) const;
     void draw_shadow(const SpaceFrame& frame, const Seen& seen);
@@ -51,6 +54,9 @@ private:
     void copy_out(const SpaceFrame& frame, const Seen& seen, const Place& place);
 
     std::vector<Shader> shaders_;
+    // For each set of features of a floor, and for each pattern.
+    std::array<std::optional<Shader>, 8> floors_;
+    std::array<std::optional<Shader>, kSkinPatterns> solids_;
     std::unique_ptr<SpaceBuffers> objects_;
     std::optional<PaintedTexture> picture_;
     std::optional<PaintedTexture> shadow_;

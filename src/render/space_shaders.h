@@ -125,16 +125,15 @@ void main() {
 }
 )";
 
-// The boxes: four vectors each, its axes with the centre, and its half extents.
+// The boxes: five vectors each, its axes with the centre, its half extents, and one over the
+// direction of the light in its frame.
 inline constexpr const char* kBoxes = R"(
-layout(std140) uniform Boxes { vec4 boxes[1024]; };
+layout(std140) uniform Boxes { vec4 boxes[1000]; };
 
 // Returns how far towards the light a ray from a point (in the box's frame) enters and leaves a box.
-vec2 through_box(int i, vec3 start, vec3 light) {
-    vec3 way = vec3(dot(boxes[4 * i].xyz, light), dot(boxes[4 * i + 1].xyz, light),
-                    dot(boxes[4 * i + 2].xyz, light));
-    vec3 inverse = 1.0 / way;
-    vec3 span = abs(inverse) * boxes[4 * i + 3].xyz;
+vec2 through_box(int i, vec3 start) {
+    vec3 inverse = boxes[5 * i + 4].xyz;
+    vec3 span = abs(inverse) * boxes[5 * i + 3].xyz;
     vec3 enter = -inverse * start - span;
     vec3 leave = -inverse * start + span;
     return vec2(max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
@@ -163,11 +162,11 @@ void main() {
     float light = 1.0;
     float open = 1.0;
     for (int i = 0; i < count; ++i) {
-        vec4 a = boxes[4 * i], b = boxes[4 * i + 1], c = boxes[4 * i + 2];
-        vec3 half_size = boxes[4 * i + 3].xyz;
+        vec4 a = boxes[5 * i], b = boxes[5 * i + 1], c = boxes[5 * i + 2];
+        vec3 half_size = boxes[5 * i + 3].xyz;
         vec3 from = vec3(at.x, height, at.y) - vec3(a.w, b.w, c.w);
         vec3 start = vec3(dot(a.xyz, from), dot(b.xyz, from), dot(c.xyz, from));
-        vec2 passed = through_box(i, start, sun);
+        vec2 passed = through_box(i, start);
         float middle = max(0.5 * (passed.x + passed.y), 0.02);
         float inside = (passed.y - passed.x) / (middle * soft + 0.02);
         light *= 1.0 - smoothstep(-1.0, 1.0, inside) * step(0.0, passed.y);
@@ -237,11 +236,11 @@ out vec4 color;
 
 // Takes away the light that a box keeps from this point: of the sun, and from around.
 void shade_by(int i, vec3 normal, inout float light, inout float open) {
-    vec4 a = boxes[4 * i], b = boxes[4 * i + 1], c = boxes[4 * i + 2];
-    vec3 half_size = boxes[4 * i + 3].xyz;
+    vec4 a = boxes[5 * i], b = boxes[5 * i + 1], c = boxes[5 * i + 2];
+    vec3 half_size = boxes[5 * i + 3].xyz;
     vec3 from = place - vec3(a.w, b.w, c.w);
     vec3 start = vec3(dot(a.xyz, from), dot(b.xyz, from), dot(c.xyz, from));
-    vec2 passed = through_box(i, start, sun);
+    vec2 passed = through_box(i, start);
     float middle = max(0.5 * (passed.x + passed.y), 0.0);
     float through = (passed.y - passed.x) / (0.25 * middle + 0.25 * half_size.y + 0.01);
     light *= 1.0 - smoothstep(-0.5, 1.0, through) * smoothstep(0.0, 0.04, passed.y);
