@@ -1,6 +1,7 @@
 #include "evolution/evolution.h"
 
 #include "breeding/mutation.h"
+#include "evolution/evaluation/terrain_ladder.h"
 #include "evolution/evaluation/trials.h"
 #include "evolution/generation.h"
 #include "evolution/individual/map_axis.h"
@@ -65,6 +66,7 @@ IndividualPtr Evolution::make_founder(std::size_t slot,
 bool Evolution::evaluate(EvaluationBackend& backend, EvaluationProgress& progress,
                          const std::stop_token& stop) {
     if (evaluated_) return true;
+    if (!climb_ladder(backend, stop)) return false;
     if (std::exchange(renewal_due_, false)) renew_chance();
     meet_opponents();
     plan_evaluations();
@@ -152,6 +154,7 @@ void Evolution::record_generation() {
     const MapCoverage coverage = map_coverage(population_, *settings_);
     statistics.filled_cells = coverage.filled_cells;
     statistics.quality = coverage.quality;
+    statistics.terrain_level = settings_->world.environment.terrain.level;
     if (!history_.empty() && !judged_anew_) continue_progress(statistics, history_.back());
     judged_anew_ = false;
     history_.push_back(statistics);
@@ -271,6 +274,18 @@ void Evolution::renew_chance() {
     replace_settings(std::make_shared<const ExperimentSettings>(std::move(renewed)));
 }
 
+// Raises the level of the terrain if the survivors are ready for it, which discards all scores.
+// Returns false if stopped; the call may be repeated.
+bool Evolution::climb_ladder(EvaluationBackend& backend, const std::stop_token& stop) {
+    if (!request_of_slot_.empty() || !climbs_ladder(*settings_)) return true;
+    const IndividualPtr median = median_survivor(population_, generation_);
+    if (!median) return true;
+    const std::optional<bool> ready = is_ready_to_climb(*median, *settings_, backend, stop);
+    if (!ready) return false;
+    if (*ready) replace_settings(on_next_level(*settings_));
+    return true;
+}
+
 // Draws the opponents of this generation, which discards all scores.
 void Evolution::meet_opponents() {
     const TrialWorld& world = settings_->world;
@@ -288,9 +303,13 @@ void Evolution::meet_opponents() {
 
 void Evolution::replace_settings(SettingsPtr settings) {
     const TrialWorld& present = settings_->world;
-    if (settings->world.trial.draw < present.trial.draw ||
+    const TerrainSettings& ground = present.environment.terrain;
+    const TerrainSettings& wanted = settings->world.environment.terrain;
+    const bool lowers_ladder = ground.ladder && wanted.ladder && wanted.level < ground.level;
+    if (settings->world.trial.draw < present.trial.draw || lowers_ladder ||
         !(settings->world.opponents == present.opponents)) {
         ExperimentSettings kept = *settings;
+        if (lowers_ladder) kept.world.environment.terrain.level = ground.level;
         kept.world.trial.draw = std::max(kept.world.trial.draw, present.trial.draw);
         kept.world.opponents = present.opponents;
         settings = std::make_shared<const ExperimentSettings>(std::move(kept));

@@ -56,8 +56,8 @@ public:
     void breed();
 
     // Changes the settings from the next breed() or evaluate() on. A change of world or goal
-    // discards all scores. The number of draws never decreases, and opponents stay those that were
-    // drawn.
+    // discards all scores. The number of draws and the level of a ladder never decrease, and
+    // opponents stay those that were drawn.
     void replace_settings(SettingsPtr settings);
     // Discards all scores: the next evaluate() evaluates all creatures again. Scores of a
     // generation that is already evaluated still decide who breeds.
@@ -89,6 +89,7 @@ private:
     void forget_plan();
     double least_score() const;
     void renew_chance();
+    bool climb_ladder(EvaluationBackend& backend, const std::stop_token& stop);
     void take_settings(SettingsPtr settings);
     void meet_opponents();
     bool score_as_known(std::size_t slot, std::uint64_t phenotype);

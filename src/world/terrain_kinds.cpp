@@ -10,6 +10,7 @@ namespace cambrian {
 namespace {
 
 constexpr int kPiecesOfHill = 8;
+constexpr double kLeastGap = 2.0 * kNarrowestRidge;  // m, of the widest; others have half of it
 
 // The line drawn so far, from (0, 0).
 class GroundLine {
@@ -142,7 +143,10 @@ DrawFeature feature_of(std::string_view id) {
 
 }  // namespace
 
-Terrain::Side draw_side(const TerrainSettings& settings, RandomStream& stream) {
+Terrain::Side draw_side(const TerrainSettings& at_full_level, RandomStream& stream) {
+    TerrainSettings settings = at_full_level;
+    settings.height *= settings.level;
+    settings.gap = std::max(settings.gap * settings.level, kLeastGap);
     const DrawFeature draw = feature_of(settings.kind);
     GroundLine line;
     while (line.x() < kGroundPeriod) {
@@ -156,7 +160,7 @@ Terrain::Side draw_side(const TerrainSettings& settings, RandomStream& stream) {
     side.points = line.take();
     side.points.pop_back();  // the first one of the next round
     const SineCosine slope = sine_cosine_of_degrees(settings.slope);
-    const double steepness = slope.sine / slope.cosine;
+    const double steepness = settings.level * (slope.sine / slope.cosine);
     for (GroundPoint& point : side.points) {
         point.y += steepness * point.x;
         point.x += settings.pad;

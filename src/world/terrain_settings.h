@@ -15,6 +15,7 @@ inline constexpr std::array<std::string_view, 10> kTerrainIds = {
     "flat", "slope", "rough", "hills", "stairs", "blocks", "gaps", "hurdles", "course", "drawn"};
 inline constexpr std::array<std::string_view, 2> kTerrainSideIds = {"mirrored", "different"};
 
+inline constexpr double kLeastTerrainLevel = 0.05;
 inline constexpr std::size_t kMostGroundPoints = 2000;  // of drawn ground
 
 struct TerrainSettings {
@@ -29,6 +30,9 @@ struct TerrainSettings {
     std::uint64_t seed = 1;  // of the shapes that are drawn by chance
     // Whether all trials have the same ground. Otherwise it follows from the chance of the trial.
     bool same = true;
+    // Share of height, gap and slope that is in force, 0.05 to 1.
+    double level = 1.0;
+    bool ladder = false;      // evolution raises the level (evolution/README.md 8)
     std::string points = {};  // of drawn ground: "x y; x y; ..."
 
     bool is_flat() const { return kind == "flat"; }

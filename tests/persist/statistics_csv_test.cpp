@@ -34,14 +34,14 @@ GenerationStatistics numbered_row() {
     GenerationStatistics row;
     auto& [generation, size, evaluations, confirmations, best, lowest, highest, upper, median,
            lower, mean, invalid, parts, neurons, distinct, lines, plans, births, rejected, reused,
-           rested, given_up, distrusted, saved, cells, quality, idle, mark] = row;
+           rested, given_up, distrusted, saved, cells, level, quality, idle, mark] = row;
     double next = 101.0;
     const auto number = [&next](auto&... fields) {
         ((fields = static_cast<std::remove_reference_t<decltype(fields)>>(next++)), ...);
     };
     number(generation, size, evaluations, confirmations, best, lowest, highest, upper, median,
            lower, mean, invalid, parts, neurons, distinct, lines, plans, rejected, reused, rested,
-           given_up, saved, cells, quality, idle, mark);
+           given_up, saved, cells, level, quality, idle, mark);
     distrusted = true;
     births = {{0xab, 30}, {0x1234567890abcdef, 2}};
     return row;
@@ -51,11 +51,11 @@ TEST_CASE("every field of the statistics has a named column", "[persist][statist
     const auto table = table_of(statistics_csv(std::vector{numbered_row()}));
     REQUIRE(table.size() == 2);
     CHECK(table[0].front() == "generation");
-    REQUIRE(table[0].size() == 29);
-    REQUIRE(table[1].size() == 29);
+    REQUIRE(table[0].size() == 30);
+    REQUIRE(table[1].size() == 30);
     CHECK(table[0].back() == "births_by_line");
-    CHECK(table[0][27] == "trials");
-    CHECK(table[1][27] == "103");  // the evaluations of the only row
+    CHECK(table[0][28] == "trials");
+    CHECK(table[1][28] == "103");  // the evaluations of the only row
     CHECK(table[1].back() == "00000000000000ab:30 1234567890abcdef:2");
     std::vector<double> found;
     for (std::size_t i = 0; i + 2 < table[1].size(); ++i)

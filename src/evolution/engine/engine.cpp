@@ -1,5 +1,7 @@
 #include "evolution/engine/engine.h"
 
+#include "evolution/evaluation/terrain_ladder.h"
+
 #include <exception>
 #include <utility>
 
@@ -48,10 +50,10 @@ void EvolutionEngine::run(const std::stop_token& stop) {
 
 void EvolutionEngine::run_generation(const std::stop_token& interrupted) {
     const Stopwatch watch;
-    const int draw = evolution_->settings().world.trial.draw;
+    const SettingsPtr before = evolution_->shared_settings();
     const bool evaluated = evolution_->evaluate(*backend_, progress_, interrupted);
     evaluating_ += watch.seconds();
-    if (evolution_->settings().world.trial.draw != draw)
+    if (changed_by_run(*before, evolution_->settings()))
         shown_.journal.push_back({evolution_->generation(), evolution_->shared_settings()});
     if (!evaluated && !interrupted.stop_requested()) {
         stop_with(backend_->status().failure);

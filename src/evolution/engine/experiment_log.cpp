@@ -1,5 +1,7 @@
 #include "evolution/engine/experiment_log.h"
 
+#include "evolution/evaluation/terrain_ladder.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -50,14 +52,13 @@ void give_commands(Evolution& evolution, const std::vector<NotedCommand>& journa
 
 namespace {
 
-// Adds the generations in which chance was renewed, found in the settings of the champions.
-void add_renewals(std::vector<JournalEntry>& changes, const SavedExperiment& saved) {
+// Adds the generations in which the run itself changed settings, found in those of the champions.
+void add_own_changes(std::vector<JournalEntry>& changes, const SavedExperiment& saved) {
     for (const JudgedIndividual& champion : saved.champions) {
         const auto later = std::find_if(
             changes.begin(), changes.end(),
             [&](const JournalEntry& each) { return each.generation > champion.generation; });
-        const int known = std::prev(later)->settings->world.trial.draw;
-        if (champion.settings->world.trial.draw > known)
+        if (changed_by_run(*std::prev(later)->settings, *champion.settings))
             changes.insert(later, {champion.generation, champion.settings});
     }
 }
@@ -70,7 +71,7 @@ std::vector<JournalEntry> setting_changes(const SavedExperiment& saved) {
         if (const auto* change = std::get_if<ChangeSettings>(&noted.command))
             changes.push_back({noted.generation, change->settings});
     }
-    add_renewals(changes, saved);
+    add_own_changes(changes, saved);
     return changes;
 }
 

@@ -98,6 +98,15 @@ void add_terrain(TableBuilder& world) {
                              "has its own, the same for all creatures, drawn again with the "
                              "trials' other chances."),
                   is_by_chance);
+    terrain_field(world.number(&TerrainSettings::level, "terrain-level", "Terrain, level", "",
+                               Range{kLeastTerrainLevel, 1},
+                               "The share of height, gap and slope that is in force."),
+                  is_made);
+    terrain_field(world.flag(&TerrainSettings::ladder, "terrain-ladder", "Terrain, ladder",
+                             "The level begins as it is set, for example at 0.2, and rises by 0.05 "
+                             "before a generation whose median survivor keeps at least 60 % of the "
+                             "score that it has at level 0.2."),
+                  is_made);
     SettingField& points = world.choice(
         &TerrainSettings::points, "terrain-points", "Terrain, points", {},
         "The points of drawn ground from left to right. It is straight between them and level "

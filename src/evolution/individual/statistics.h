@@ -48,6 +48,7 @@ struct GenerationStatistics {
     bool giving_up_distrusted = false;  // P5 is off because it proved unreliable
     double time_saved = 0;              // share of the trials' time that was not simulated
     int filled_cells = 0;               // cells filled of the map that the settings choose
+    double terrain_level = 1.0;         // of the settings; not stored with the rest
     double quality = 0.0;               // QD-score: sum of the best fitness of each filled cell
     // The number of generations since the best last rose by 1 %, and its fitness then.
     int generations_without_progress = 0;

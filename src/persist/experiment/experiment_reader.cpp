@@ -228,6 +228,7 @@ private:
             latest.history.push_back(statistics);
             latest.generation = statistics.generation;
             latest.settings = settings(row.integer(more + 2));
+            latest.history.back().terrain_level = latest.settings->world.environment.terrain.level;
             read_.saved.champions.push_back({statistics.generation,
                                              champion(row_ref(row, more), *latest.settings),
                                              latest.settings});

@@ -1,5 +1,6 @@
 #include "persist/records/statistics_csv.h"
 
+#include "core/text/number_text.h"
 #include "persist/records/statistics_columns.h"
 #include "persist/sqlite/column_text.h"
 #include "persist/text/digest_text.h"
@@ -28,13 +29,14 @@ std::string statistics_csv(std::span<const GenerationStatistics> history) {
         text += std::string(column.name) + ',';
     for (const Column<Row>& column : kLaterStatisticsColumns)
         text += std::string(column.name) + ',';
-    text += "trials,births_by_line\n";
+    text += "terrain_level,trials,births_by_line\n";
     std::int64_t trials = 0;
     for (const Row& row : history) {
         trials += row.evaluations;
         add_cells<Row>(text, row, kStatisticsColumns);
         add_cells<Row>(text, row, kLaterStatisticsColumns);
-        text += fmt::format("{},{}\n", trials, births_text(row.births));
+        text += fmt::format("{},{},{}\n", short_text(row.terrain_level), trials,
+                            births_text(row.births));
     }
     return text;
 }

@@ -69,6 +69,12 @@ std::span<const TimelinePlot> timeline_plots() {
          "Invalid",
          "The share of creatures whose trial is invalid.",
          {{"invalid, %", invalid_percent}}},
+        {TimelineQuantity::kTerrainLevel,
+         "level",
+         "Terrain level",
+         "The share of the terrain's height, gaps and slope that was in force, which a ladder "
+         "raises.",
+         {{"terrain level", field<&Statistics::terrain_level>}}},
     };
     return plots;
 }

@@ -16,7 +16,8 @@ enum class TimelineQuantity : unsigned char {
     kParts,
     kNeurons,
     kTrials,
-    kInvalid
+    kInvalid,
+    kTerrainLevel
 };
 
 // The quantity by which the tiles of the population are sorted, largest first.

@@ -118,7 +118,7 @@ TEST_CASE("another quantity can be chosen by mouse and by key", "[studio][timeli
     const Requests out = click(gui, panel, studio, "Diversity");
     CHECK(test::asked<ChangeView>(out).view.quantity == TimelineQuantity::kDiversity);
     const Requests up = press_key(gui, panel, studio, ImGuiKey_UpArrow);
-    CHECK(test::asked<ChangeView>(up).view.quantity == TimelineQuantity::kInvalid);
+    CHECK(test::asked<ChangeView>(up).view.quantity == TimelineQuantity::kTerrainLevel);
 }
 
 TEST_CASE("every quantity draws, in the panel and as a picture", "[studio][timeline]") {
