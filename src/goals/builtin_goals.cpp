@@ -10,6 +10,8 @@ void register_flying(GoalRegistry& goals);
 void register_competition(GoalRegistry& goals);
 void register_escape(GoalRegistry& goals);
 void register_fleeing(GoalRegistry& goals);
+void register_climbing(GoalRegistry& goals);
+void register_course(GoalRegistry& goals);
 
 GoalRegistry builtin_goals() {
     GoalRegistry goals;
@@ -21,6 +23,8 @@ GoalRegistry builtin_goals() {
     register_competition(goals);
     register_escape(goals);
     register_fleeing(goals);
+    register_climbing(goals);
+    register_course(goals);
     return goals;
 }
 

@@ -38,6 +38,16 @@ std::string needs_level_ground(const Environment& environment) {
     return {};
 }
 
+std::string needs_shaped_ground(const Environment& environment) {
+    if (environment.terrain.is_flat()) return "the ground is flat";
+    return needs_level_ground(environment);
+}
+
+std::string needs_course(const Environment& environment) {
+    if (environment.terrain.kind != "course") return "the ground is no obstacle course";
+    return needs_level_ground(environment);
+}
+
 std::string needs_air(const Environment& environment) {
     if (!(pull_down(environment) > 0.0)) return "nothing pulls creatures down";
     if (is_thin(environment)) return "the medium is too thin to carry anything";

@@ -14,6 +14,12 @@ std::string needs_ground(const Environment& environment);
 // For contests, which also need ground that does not slope to one side.
 std::string needs_level_ground(const Environment& environment);
 
+// For goals that need ground which is not flat.
+std::string needs_shaped_ground(const Environment& environment);
+
+// For goals that count the obstacles of a course.
+std::string needs_course(const Environment& environment);
+
 // For goals that need a wall on one side, and ground to walk away on.
 std::string needs_wall(const Environment& environment);
 

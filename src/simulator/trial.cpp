@@ -4,6 +4,7 @@
 #include "core/text/number_text.h"
 #include "math/angle.h"
 #include "simulator/passive_sink.h"
+#include "world/terrain.h"
 
 #include <fmt/core.h>
 
@@ -14,10 +15,12 @@
 namespace cambrian {
 namespace {
 
-constexpr int kCalmTicks = 24;          // 0.4 s
-constexpr int kDeepTicks = 12;          // 0.2 s
-constexpr std::uint64_t kGround = 104;  // separates the draws of the ground from others
-constexpr int kLengthTicks = 3;         // 0.05 s between two measurements of the body's length
+constexpr int kGroundPlaces = 4;          // to either side of one where the ground is measured
+constexpr double kBetweenPlaces = 0.125;  // m
+constexpr int kCalmTicks = 24;            // 0.4 s
+constexpr int kDeepTicks = 12;            // 0.2 s
+constexpr std::uint64_t kGround = 104;    // separates the draws of the ground from others
+constexpr int kLengthTicks = 3;           // 0.05 s between two measurements of the body's length
 // Trials with fewer evaluations take some tenths of a second and are finished rather than
 // interrupted.
 constexpr std::uint64_t kLongTrial = 100000;  // evaluations
@@ -47,6 +50,16 @@ Environment tilted(const TrialWorld& world) {
     Environment environment = with_ground_of(world.light, world.environment);
     environment.gravity_direction += world.tilt;
     return environment;
+}
+
+// Returns the mean height of the ground around a place, in m.
+double ground_around(const Terrain& ground, double x) {
+    double sum = ground.height(x);
+    for (int place = 1; place <= kGroundPlaces; ++place) {
+        const double aside = kBetweenPlaces * place;
+        sum += ground.height(x - aside) + ground.height(x + aside);
+    }
+    return sum / (2 * kGroundPlaces + 1);
 }
 
 Result<std::unique_ptr<Bout>> begin_bout(const Kinds& kinds, const TrialWorld& world,
@@ -98,6 +111,8 @@ Trial::Trial(std::shared_ptr<const Phenotype> phenotype, const Kinds& kinds,
     progress_.record.has_ground = world_.environment.has_ground;
     progress_.record.dimensions = world_.environment.dimensions;
     progress_.record.up = up_of(world.environment);
+    if (const auto ground = Terrain::make(world_.environment.terrain)) ground_ = *ground;
+    if (ground_) progress_.record.level_ground = world_.environment.terrain.pad;
     progress_.record.passive_sink = passive_sink(world_.environment);
     progress_.record.samples.reserve(test_length_ / kTicksPerSample + 2);
     if (world_.environment.dimensions == 3)
@@ -300,7 +315,12 @@ void Trial::watch_body() {
 
 void Trial::sample() {
     TrialRecord& record = progress_.record;
-    record.samples.push_back({time(), scene_->center_of_mass(), scene_->bounds()});
+    MotionSample sample{time(), scene_->center_of_mass(), scene_->bounds()};
+    if (ground_) {
+        sample.ground_low = ground_around(*ground_, sample.bounds.low.x());
+        sample.ground_high = ground_around(*ground_, sample.bounds.high.x());
+    }
+    record.samples.push_back(sample);
     if (record.dimensions == 3) record.supports.push_back(supports_of(*scene_));
     add_to_digest();
 }

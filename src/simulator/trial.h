@@ -26,6 +26,8 @@
 
 namespace cambrian {
 
+class Terrain;
+
 // All that a trial depends on besides the phenotype.
 struct TrialWorld {
     Environment environment;
@@ -155,6 +157,7 @@ private:
     std::shared_ptr<const Phenotype> phenotype_;
     TrialWorld world_;
     std::uint64_t test_length_;  // ticks
+    std::shared_ptr<const Terrain> ground_;  // null if it is flat
     std::unique_ptr<PhysicsScene> scene_;
     std::unique_ptr<Bout> bout_;
     TrialSurroundings surroundings_;

@@ -74,6 +74,9 @@ struct MotionSample {
     double time = 0.0;  // s since the test began
     Vec3 center_of_mass = Vec3::Zero();
     Bounds bounds;  // of all corners
+    // Height of the ground at the left and the right end of the bounds, in m, as the mean over a
+    // metre; 0 where it is flat.
+    double ground_low = 0.0, ground_high = 0.0;
 };
 
 struct TrialRecord {
@@ -90,6 +93,7 @@ struct TrialRecord {
     // Against gravity, as the settings have it; away from the ground without gravity. Its x says
     // which way a slope rises.
     Vec3 up = Vec3::UnitY();
+    double level_ground = 0.0;  // m, from the start to either side, of ground with a shape
     int wall_side = 0;          // of the wall: 1 to the right, -1 to the left, 0 for none
     double passive_sink = 0.0;  // m/s, of the environment (simulator/passive_sink.h)
     // Hz, of the joint with the highest rate; swings over 0.05 rad count.
