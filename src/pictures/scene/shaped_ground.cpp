@@ -42,6 +42,11 @@ double land_level(const Environment& environment, double x) {
     return sum / weights;
 }
 
+double ground_height(const Environment& environment, double x) {
+    const auto terrain = ground_in(environment.terrain);
+    return terrain ? terrain->height(x) : 0.0;
+}
+
 void use_ground(SceneFrame& frame, const Environment& environment, const Camera& camera,
                 const Viewport& viewport) {
     frame.ground = {};

@@ -11,6 +11,9 @@ namespace cambrian {
 // Returns the height of the land around a place, without its bumps, in m.
 double land_level(const Environment& environment, double x);
 
+// Returns the height of the ground at a place, in m.
+double ground_height(const Environment& environment, double x);
+
 // Gives the frame the surface of the ground in the view. Flat ground has none. It must come before
 // everything that stands on the ground.
 void use_ground(SceneFrame& frame, const Environment& environment, const Camera& camera,

@@ -6,6 +6,7 @@
 #include "pictures/scene/living_look.h"
 #include "pictures/scene/moment.h"
 #include "pictures/scene/scenery.h"
+#include "pictures/scene/shaped_ground.h"
 #include "pictures/scene/small_life.h"
 #include "pictures/scene/space_being.h"
 #include "pictures/scene/space_world.h"
@@ -34,6 +35,7 @@ constexpr double kCrowdYaw = to_radians(14.0);
 constexpr double kCrowdPitch = to_radians(21.0);
 constexpr double kCrowdShare = 0.94;  // of the view in space, filled by all creatures
 constexpr double kMeadow = 0.11;      // slots; height of a row's ground above its creatures' feet
+constexpr double kReliefStep = 4.0;   // pixels between two points of a row's ground
 constexpr int kBands = 10;            // of colour in the ground of a row
 constexpr double kLowestShare = 0.5;  // slots; least distance of two rows
 
@@ -201,8 +203,7 @@ Vec2 FoundersPanel::middle_of(std::size_t place, const FounderCrowd& crowd) cons
     const RecordedMotion& motion = crowd.motion().cell(place);
     const Vec3 here = motion.at(crowd.motion().time()).center_of_mass;
     if (in_space_) return in_picture(space_camera_, here + shift_of(place, crowd));
-    const Vec3& start = motion.frames.front().center_of_mass;
-    return stand(place) + Vec2(here.x() - start.x(), here.y());
+    return here.head<2>() + shift_in_row(place, here.x(), crowd);
 }
 
 Vec2 FoundersPanel::top_of(std::size_t place, const FounderCrowd& crowd) const {
@@ -210,7 +211,7 @@ Vec2 FoundersPanel::top_of(std::size_t place, const FounderCrowd& crowd) const {
     const MotionFrame shown = motion.at(crowd.motion().time());
     if (!in_space_) {
         const WorldWindow body = body_window(*motion.phenotype, shown.poses);
-        const Vec2 by = stand(place) - Vec2(motion.frames.front().center_of_mass.x(), 0.0);
+        const Vec2 by = shift_in_row(place, shown.center_of_mass.x(), crowd);
         return Vec2(0.5 * (body.low.x() + body.high.x()), body.high.y()) + by;
     }
     std::vector<Vec3> corners;
@@ -230,6 +231,52 @@ Vec2 FoundersPanel::stand(std::size_t place) const {
                           0.5 * static_cast<double>(row.count - 1) +
                           (number % 2 == 0 ? -0.15 : 0.15);
     return {across * slot_, row.lift};
+}
+
+// On ground with a shape, a creature that has left its place goes on over that of another one.
+Vec2 FoundersPanel::shift_in_row(std::size_t place, double x, const FounderCrowd& crowd) const {
+    const Row& row = rows_[row_of(place)];
+    Vec2 by = stand(place);
+    by.x() -= crowd.motion().cell(place).frames.front().center_of_mass.x();
+    by.y() +=
+        ground_of_row(row, x + by.x(), crowd) - ground_height(crowd.motion().environment(), x);
+    return by;
+}
+
+std::size_t FoundersPanel::nearest_in(const Row& row, double x) const {
+    std::size_t best = row.first;
+    for (std::size_t place = row.first; place < row.first + row.count; ++place) {
+        if (std::fabs(stand(place).x() - x) < std::fabs(stand(best).x() - x)) best = place;
+    }
+    return best;
+}
+
+double FoundersPanel::ground_of_row(const Row& row, double x, const FounderCrowd& crowd) const {
+    const std::size_t place = nearest_in(row, x);
+    const RecordedMotion& motion = crowd.motion().cell(place);
+    const double start = motion.empty() ? 0.0 : motion.frames.front().center_of_mass.x();
+    return ground_height(crowd.motion().environment(), x - stand(place).x() + start);
+}
+
+GroundShape FoundersPanel::shape_of_row(const Row& row, const FounderCrowd& crowd) const {
+    GroundShape shape;
+    if (crowd.motion().environment().terrain.is_flat()) return shape;
+    const WorldWindow window = canvas_.camera.window(canvas_.size());
+    const double step = kReliefStep * canvas_.camera.pixel();
+    for (double x = window.low.x() - step; x < window.high.x() + 2.0 * step; x += step)
+        shape.surface.emplace_back(x, ground_of_row(row, x, crowd));
+    return shape;
+}
+
+// Raises the top of a row's ground to its shape.
+void FoundersPanel::add_relief(const Row& row, double top, const Color& color,
+                               const FounderCrowd& crowd) {
+    const double half = 0.5 * kReliefStep * canvas_.camera.pixel();
+    for (const Vec2& point : shape_of_row(row, crowd).surface) {
+        if (point.y() > 0.0)
+            canvas_.frame.add_box({point.x() + half, top + 0.5 * point.y()},
+                                  {half, 0.5 * point.y()}, color);
+    }
 }
 
 std::size_t FoundersPanel::nearest(const Vec2& point, const FounderCrowd& crowd) const {
@@ -254,6 +301,7 @@ void FoundersPanel::build_scene(const FrameContext& frame) {
     scene.detail = detail_of(frame.window.scenery);
     scene.background = colors().sky;
     const DrawnWorld* world = shown_world(frame.view, frame.window.scenery, motion.environment());
+    scene.ground = shape_of_row(rows_.front(), *frame.coach.founders);
     if (world != nullptr) {
         add_scenery(scene, *world, canvas_.camera, canvas_.size(), motion.time());
     } else if (motion.environment().has_ground) {
@@ -285,10 +333,15 @@ void FoundersPanel::add_row(const Row& row, std::size_t number, const FrameConte
                                   {window.high.x() - middle.x() + pixel, half},
                                   mix(color, near, 0.85F * static_cast<float>(share)));
         }
+        add_relief(row, top, color, *frame.coach.founders);
         if (world != nullptr) add_row_blades(canvas_.frame, *world, window, top, number, pixel);
     }
+    // Shadows fall on the row's own ground.
+    const GroundShape front =
+        std::exchange(canvas_.frame.ground, shape_of_row(row, *frame.coach.founders));
     for (std::size_t place = row.first; place < row.first + row.count; ++place)
         add_founder(place, frame);
+    canvas_.frame.ground = front;
 }
 
 void FoundersPanel::add_founder(std::size_t place, const FrameContext& frame) {
@@ -298,10 +351,12 @@ void FoundersPanel::add_founder(std::size_t place, const FrameContext& frame) {
     const double time = crowd.motion().time();
     const bool ground = crowd.motion().environment().has_ground;
     MotionFrame shown = recorded.at(time);
-    Vec2 by = stand(place);
-    by.x() -= recorded.frames.front().center_of_mass.x();
-    for (Pose& pose : shown.poses)
+    const double lift = rows_[row_of(place)].lift;
+    const Vec2 by = shift_in_row(place, shown.center_of_mass.x(), crowd);
+    for (Pose& pose : shown.poses) {
         pose.position.x() += by.x();
+        pose.position.y() += by.y() - lift;
+    }
     const Individual& founder = *crowd.founders()[place];
     Character character = character_of(recorded, ground, time);
     character.line = line_or_hue(founder.line, founder.genome->hue);
@@ -311,9 +366,9 @@ void FoundersPanel::add_founder(std::size_t place, const FrameContext& frame) {
     const std::size_t shadows = scene.shapes.size();
     if (ground) add_shadow(scene, look);
     for (std::size_t i = shadows; i < scene.shapes.size(); ++i)
-        scene.shapes[i].center.y() += by.y();
+        scene.shapes[i].center.y() += lift;
     for (Pose& pose : shown.poses)
-        pose.position.y() += by.y();
+        pose.position.y() += lift;
     if (look.mode != LookMode::kMechanics)
         add_small_life(scene, moved_scuffs(recorded, time, by), time, crowd.motion().environment());
     add_being(scene, colors(), canvas_.camera, look);

@@ -35,6 +35,15 @@ private:
     Vec2 middle_of(std::size_t place, const FounderCrowd& crowd) const;
     Vec2 top_of(std::size_t place, const FounderCrowd& crowd) const;
     Vec2 stand(std::size_t place) const;
+    // Returns where a creature is drawn beside where its trial has it.
+    Vec2 shift_in_row(std::size_t place, double x, const FounderCrowd& crowd) const;
+    // Returns the place of a row whose stand is nearest.
+    std::size_t nearest_in(const Row& row, double x) const;
+    // Returns the height of a row's ground above its lift, in m: around each creature that of its
+    // own trial.
+    double ground_of_row(const Row& row, double x, const FounderCrowd& crowd) const;
+    GroundShape shape_of_row(const Row& row, const FounderCrowd& crowd) const;
+    void add_relief(const Row& row, double top, const Color& color, const FounderCrowd& crowd);
     void build_scene(const FrameContext& frame);
     void add_row(const Row& row, std::size_t number, const FrameContext& frame);
     void add_founder(std::size_t place, const FrameContext& frame);
