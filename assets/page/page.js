@@ -105,7 +105,8 @@ function fit() {
 
 function draw(row, time, passed) {
   const ground = body.told.ground, [w, h] = [view.width, view.height];
-  const goal = [row[0], ground ? Math.max(0, row[1] - 1.5 * body.size) : row[1], row[2]];
+  const land = ground ? landAt(row[0]) : 0;
+  const goal = [row[0], ground ? land + Math.max(0, row[1] - land - 1.5 * body.size) : row[1], row[2]];
   if (!camera) camera = goal;
   const follow = 1 - Math.exp(-5 * passed);
   camera = camera.map((c, i) => c + follow * (goal[i] - c));
@@ -135,23 +136,61 @@ function draw(row, time, passed) {
   g.fillText([`${row[3].toFixed(1)} s`, phase, engine.disturbed() ? 'disturbed' : ''].filter(Boolean).join('   '), 0.018 * w, 0.05 * h);
 }
 
+// The height of the ground at a place.
+function heightAt(x) {
+  const line = body.told.surface;
+  let i = 1;
+  while (i < line.length - 1 && line[i][0] < x) i++;
+  if (line.length < 2) return 0;
+  const [a, b] = [line[i - 1], line[i]];
+  return b[0] > a[0] ? a[1] + (b[1] - a[1]) * clamp((x - a[0]) / (b[0] - a[0]), 0, 1) : b[1];
+}
+
+// The height of the land around a place, without its bumps.
+function landAt(x) {
+  if (!body.told.surface.length) return 0;
+  let sum = 0;
+  for (let i = -8; i <= 8; i++) sum += (9 - Math.abs(i)) * heightAt(x + 0.35 * i);
+  return sum / 81;
+}
+
+// Ground with a shape: turf over soil.
+function drawSurface(to, w, h) {
+  const half = 0.6 * w / scale, line = body.told.surface.filter(p => Math.abs(p[0] - camera[0]) < half);
+  const ends = [-half, half].map(d => [camera[0] + d, heightAt(camera[0] + d)]);
+  const points = [ends[0], ...line, ends[1]].map(to), turf = Math.max(4, 0.018 * h);
+  g.fillStyle = gradient(g, 0, 0.4 * h, 0, 1.1 * h, ['#8a5a3a', '#4a2f1f']);
+  g.beginPath();
+  g.moveTo(points[0][0], h + 9);
+  points.forEach(p => g.lineTo(...p));
+  g.lineTo(points[points.length - 1][0], h + 9);
+  g.fill();
+  g.strokeStyle = '#569638';
+  g.lineWidth = turf;
+  g.lineJoin = 'round';
+  g.beginPath();
+  points.forEach(p => g.lineTo(p[0], p[1] + 0.5 * turf));
+  g.stroke();
+}
+
 function drawGround(row, to, w) {
-  const y = to([0, 0])[1], h = view.height, metres = scale < 40 ? 5 : 1;
+  const h = view.height, metres = scale < 40 ? 5 : 1, heightOf = x => to([x, heightAt(x)])[1];
+  if (body.told.surface.length) drawSurface(to, w, h);
   g.font = `600 ${Math.round(h * 0.024)}px system-ui,sans-serif`;
   g.textAlign = 'center';
   g.fillStyle = 'rgba(255,250,235,0.75)';
   for (let m = Math.ceil((camera[0] - w / 2 / scale) / metres) * metres; to([m, 0])[0] < w + 40; m += metres) {
-    const x = to([m, 0])[0];
+    const x = to([m, 0])[0], y = heightOf(m);
     g.fillRect(x - 1.5, y - 1, 3, 0.022 * h);
     g.fillText(`${m} m`, x, y + 0.055 * h);
   }
   body.parts.forEach((p, k) => {  // shadows
     const angle = angleOf(row, k), c = Math.abs(Math.cos(angle)), s = Math.abs(Math.sin(angle)), at = placeOf(row, k);
-    const wide = c * p.half[0] + s * p.half[1], low = at[1] - s * p.half[0] - c * p.half[1], strength = clamp(0.34 - 0.5 * low / body.size, 0, 0.34);
+    const wide = c * p.half[0] + s * p.half[1], low = at[1] - s * p.half[0] - c * p.half[1] - heightAt(at[0]), strength = clamp(0.34 - 0.5 * low / body.size, 0, 0.34);
     if (strength <= 0) return;
     g.fillStyle = `rgba(20,30,10,${0.55 * strength})`;
     g.beginPath();
-    g.ellipse(to(at)[0], y + 3, 1.05 * wide * scale, Math.max(2, 0.011 * h), 0, 0, 7);
+    g.ellipse(to(at)[0], heightOf(at[0]) + 3, 1.05 * wide * scale, Math.max(2, 0.011 * h), 0, 0, 7);
     g.fill();
   });
 }
@@ -263,7 +302,7 @@ function prove() {
 
 // ---- evolution
 
-const GOALS = { walking: 'walking', jumping: 'jumping', swimming: 'swimming', seeking: 'seeking a lamp', flying: 'flying', escape: 'escaping a wall', fleeing: 'fleeing from a hunter', 'swimming-3d': 'swimming in space' };
+const GOALS = { walking: 'walking', jumping: 'jumping', swimming: 'swimming', seeking: 'seeking a lamp', flying: 'flying', escape: 'escaping a wall', fleeing: 'fleeing from a hunter', climbing: 'climbing stairs', course: 'an obstacle course', 'swimming-3d': 'swimming in space' };
 let evolving = { workers: [], curve: [] };
 
 function startEvolution() {

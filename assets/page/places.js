@@ -129,7 +129,7 @@ function placeFor(told, width, height, dark) {
     add(hills(1.3 * width, 0.3 * height, far[0], 3, 0.2, 0.65), 0.1, 0.5 * height + lift);
     add(hills(1.4 * width, 0.26 * height, far[1], 13, 0.2, 0.65), 0.2, 0.56 * height + lift);
     add(hills(1.5 * width, 0.2 * height, far[2], 23, 0.2, 0.65), 0.38, 0.63 * height + lift);
-    if (!space) {
+    if (!space && !told.surface.length) {
       add(soil(width, 0.24 * height), 1, 0.78 * height);
       add(grass(width, 0.035 * height), 1, 0.746 * height);
     }

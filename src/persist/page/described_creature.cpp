@@ -1,8 +1,10 @@
 #include "persist/page/described_creature.h"
 
 #include "core/text/number_text.h"
+#include "evolution/evaluation/trials.h"
 #include "persist/json/json_text.h"
 #include "persist/text/quoted_text.h"
+#include "world/terrain.h"
 
 #include <algorithm>
 
@@ -27,6 +29,19 @@ std::string described_part(const Phenotype& phenotype, std::size_t part, const K
          {"half", json_list(half)}});
 }
 
+// The points of ground with a shape, around the start; none where it is flat.
+std::string surface_of(const ExperimentSettings& settings) {
+    constexpr double far = 100.0;  // m
+    const TrialWorld world = with_drawn_ground(first_trial_world(settings));
+    const auto terrain = Terrain::make(world.environment.terrain);
+    std::vector<GroundPoint> points;
+    if (terrain && *terrain != nullptr) (*terrain)->list_points(-far, far, points);
+    std::vector<std::string> places;
+    for (const GroundPoint& point : points)
+        places.push_back(json_list({short_text(point.x), short_text(point.y)}));
+    return json_list(places);
+}
+
 }  // namespace
 
 std::string described_creature(const CreatureDocument& document, const Phenotype& phenotype,
@@ -41,6 +56,7 @@ std::string described_creature(const CreatureDocument& document, const Phenotype
                         {"duration", real_text(settings.world.trial.duration)},
                         {"hue", real_text(document.genome().hue)},
                         {"ground", json_truth(world.has_ground)},
+                        {"surface", surface_of(settings)},
                         {"gravity", real_text(world.gravity)},
                         {"friction", real_text(world.friction)},
                         {"medium", real_text(world.viscosity_linear + world.viscosity_quadratic)},

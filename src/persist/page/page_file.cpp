@@ -100,8 +100,6 @@ struct PlacedCreature {
 Result<PlacedCreature> place(const PageCreature& creature, std::size_t number,
                              const EvolutionKinds& kinds) {
     const CreatureDocument& document = creature.document;
-    if (!document.settings().world.environment.terrain.is_flat())
-        return Error{"the creature's ground is not flat, which pages cannot show yet"};
     const auto phenotype = std::make_shared<const Phenotype>(
         express(document.genome(), kinds.creature, document.settings().expression,
                 document.settings().world.scene));
@@ -202,7 +200,8 @@ Result<std::string> packed(const std::filesystem::path& path) {
 Result<std::string> make_page(const PageContent& content, const PageParts& parts,
                               const EvolutionKinds& kinds) {
     std::map<std::string, std::string, std::less<>> texts;
-    for (const char* script : {"engine.js", "worker.js", "population.js", "body.js", "places.js", "page.js"}) {
+    for (const char* script :
+         {"engine.js", "worker.js", "population.js", "body.js", "places.js", "page.js"}) {
         Result<std::string> text = read_file(parts.folder / script, kMaxPart);
         if (!text) return text.error();
         texts[script] = std::move(*text);
