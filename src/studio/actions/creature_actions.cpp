@@ -26,6 +26,12 @@ bool is_shown(const FrameContext& frame) {
 bool has_trials(const FrameContext& frame) {
     return is_shown(frame) && frame.viewer.playback.exhibit().settings().world.trial.trials > 1;
 }
+bool draws_ground(const FrameContext& frame) {
+    return frame.viewer.ground_pen || frame.may_draw_ground();
+}
+bool holds_pen(const FrameContext& frame) {
+    return frame.viewer.ground_pen;
+}
 
 }  // namespace
 
@@ -43,6 +49,7 @@ std::vector<Action> creature_actions() {
         {"faster", "]", "Play faster", change_speed<1>, {}, {}, "", true},
         {"follow", "F", "Follow the creature", toggles<&ViewState::follow>, {}, is_on<&ViewState::follow>, "The camera goes with it, or stays.", true},
         {"fit", "Home", "Fit into view", asks<FitView{}>, {}, {}, "The creature on display fills the viewport.", true},
+        {"draw-ground", "D", "Draw ground", asks<ToggleGroundPen{}>, draws_ground, holds_pen, "Each line that is dragged in the viewport becomes the ground between its ends."},
         {"side-front", "Keypad 1", "From the front", asks<LookFrom{ViewSide::kFront}>, in_space, {}, "In three dimensions; along the z axis.", true},
         {"side-right", "Keypad 3", "From the right", asks<LookFrom{ViewSide::kRight}>, in_space, {}, "In three dimensions; along the x axis.", true},
         {"side-top", "Keypad 7", "From above", asks<LookFrom{ViewSide::kTop}>, in_space, {}, "In three dimensions; along the y axis.", true},

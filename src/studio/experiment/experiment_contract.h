@@ -7,6 +7,7 @@
 #include "evolution/fields/setting_field.h"
 #include "studio/experiment/progress_view.h"
 #include "studio/experiment/settings_editor.h"
+#include "world/terrain.h"
 
 #include <string>
 #include <variant>
@@ -23,6 +24,10 @@ struct EditSettings {
 };
 // Ends an edit when the control is released; the engine then gets the draft.
 struct FinishEdit {};
+// Replaces the profile of the draft's ground between the ends of a stroke (world/ground_stroke.h).
+struct DrawGround {
+    std::vector<GroundPoint> stroke;
+};
 // Goes back to the run before if a new run was the last thing done; otherwise undoes the last edit
 // of the displayed creature's genes or, if there is none, of the settings.
 struct UndoEdit {};
@@ -51,9 +56,9 @@ struct ShowSetting {
 };
 
 using ExperimentRequest =
-    std::variant<ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit, UndoEdit, RedoEdit,
-                 StartNewRun, StartFromShown, EvolveShown, DropStructuralEdits, AddImmigrants,
-                 FindSetting, ShowSetting>;
+    std::variant<ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit, DrawGround, UndoEdit,
+                 RedoEdit, StartNewRun, StartFromShown, EvolveShown, DropStructuralEdits,
+                 AddImmigrants, FindSetting, ShowSetting>;
 
 struct ExperimentView {
     const std::vector<SettingField>& fields;

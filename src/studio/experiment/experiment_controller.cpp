@@ -4,6 +4,7 @@
 #include "evolution/settings/goal_defaults.h"
 #include "picking/handover.h"
 #include "studio/experiment/setting_groups.h"
+#include "world/ground_stroke.h"
 
 #include <fmt/core.h>
 
@@ -61,6 +62,17 @@ struct ExperimentController::Handler {
         self.services_.feedback.log().write("edited", {{"field", request.field}});
     }
     void operator()(const FinishEdit&) const { self.commit(); }
+    void operator()(const DrawGround& request) const {
+        ExperimentSettings edited = self.experiment_.editor().draft();
+        TerrainSettings& terrain = edited.world.environment.terrain;
+        auto drawn = with_stroke(terrain, request.stroke);
+        if (!drawn)
+            return self.services_.feedback.tell(
+                NoticeKind::kProblem, "Nothing was drawn: " + drawn.error().message + ".");
+        terrain = *std::move(drawn);
+        (*this)(EditSettings{std::move(edited), "environment.terrain-points"});
+        self.commit();
+    }
     void operator()(const UndoEdit&) const {
         if (!self.viewer_.undo_gene_edit()) self.change_draft(&SettingsEditor::undo);
     }

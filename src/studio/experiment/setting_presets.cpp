@@ -149,7 +149,7 @@ constexpr std::array kPresets = {
     SettingPreset{kEnvironment, "Obstacle course",
                   "The Earth with hurdles, steps, gaps and ramps, each higher than the last.",
                   [](Settings& s, const EvolutionKinds&) {
-                      go_over(s, {.kind = "course", .height = 0.3, .gap = 0.6});
+                      go_over(s, {.kind = "course", .height = 0.3, .gap = 0.6, .same = false});
                   },
                   true},
     SettingPreset{kEnvironment, "Moon", "A sixth of the weight.",

@@ -27,6 +27,15 @@ struct FrameContext {
 
     // Whether creatures live in three dimensions.
     bool in_space() const { return kinds.creature.scene.dimensions == 3; }
+    // Whether the viewport shows a world of the experiment whose ground can be drawn by hand.
+    bool may_draw_ground() const {
+        const TrialWorld& world = experiment.editor.draft().world;
+        const Environment& environment = world.environment;
+        const bool light_moves = environment.has_light && environment.light_motion != "still";
+        return !in_space() && !viewer.playback.empty() && environment.has_ground &&
+               !environment.has_wall && !world.trial.has_cube && !light_moves &&
+               preserve == nullptr && picking == nullptr && !founders_shown();
+    }
     bool grid_shown() const { return picking != nullptr && !picking->single; }
     bool founders_shown() const {
         return coach.founders != nullptr && picking == nullptr && preserve == nullptr &&

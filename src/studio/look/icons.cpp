@@ -84,6 +84,14 @@ void draw_ghost(const Pen& pen) {
     pen.list.AddRectFilled(pen.at(-0.3F, -0.2F), pen.at(0.9F, 0.9F), pen.color, 0.25F * pen.half);
 }
 
+void draw_pencil(const Pen& pen) {
+    pen.triangle(pen.at(-0.9F, 0.55F), pen.at(-0.55F, 0.2F), pen.at(-0.25F, 0.5F));
+    const std::array<ImVec2, 4> shaft = {pen.at(-0.45F, 0.1F), pen.at(0.45F, -0.8F),
+                                         pen.at(0.8F, -0.45F), pen.at(-0.12F, 0.43F)};
+    pen.list.AddConvexPolyFilled(shaft.data(), static_cast<int>(shaft.size()), pen.color);
+    pen.line(-0.95F, 0.9F, 0.95F, 0.9F);
+}
+
 void draw_question(const Pen& pen) {
     constexpr auto quarter = static_cast<float>(kPi) / 2.0F;
     pen.list.PathArcTo(pen.at(0.0F, -0.4F), 0.45F * pen.half, -2.1F * quarter, 1.0F * quarter, 16);
@@ -183,6 +191,9 @@ void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, co
             break;
         case Icon::kGhost:
             draw_ghost(pen);
+            break;
+        case Icon::kPencil:
+            draw_pencil(pen);
             break;
         case Icon::kHelp:
             draw_question(pen);

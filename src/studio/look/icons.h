@@ -24,6 +24,7 @@ enum class Icon : unsigned char {
     kUp,
     kEye,
     kGhost,
+    kPencil,
     kHelp,
     kSearch,
     kStar,

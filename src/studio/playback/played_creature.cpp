@@ -58,7 +58,10 @@ void PlayedCreature::go_back(std::uint64_t tick) {
 }
 
 void PlayedCreature::set_environment(const Environment& environment) {
-    if (!empty() && !(replay_->environment() == environment)) replay_->set_environment(environment);
+    if (empty() || replay_->environment() == environment) return;
+    const bool other_ground = !(replay_->environment().terrain == environment.terrain);
+    replay_->set_environment(environment);
+    if (other_ground) restart();
 }
 
 void PlayedCreature::force(std::size_t neuron, std::optional<double> value) {

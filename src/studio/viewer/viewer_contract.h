@@ -30,6 +30,8 @@ struct SeekPlayback {
 };
 // Moves and scales the camera so that the creature fits the viewport.
 struct FitView {};
+// Takes up the pen that draws ground in the viewport, or lays it down.
+struct ToggleGroundPen {};
 // The sides from which a creature in space can be looked at.
 enum class ViewSide : unsigned char { kSlanted, kFront, kRight, kTop };
 struct LookFrom {
@@ -71,9 +73,9 @@ struct FinishGeneEdit {};
 
 using ViewerRequest =
     std::variant<TogglePlayback, RestartPlayback, StepPlayback, StepPlaybackBack, TurnTrial,
-                 SeekPlayback, FitView, LookFrom, PokePart, ReleasePoke, ForceNeuron, ReleaseNeuron,
-                 ShowHighlight, HoldShown, ShowExhibit, StudySenses, StopSenseStudy, EditGenes,
-                 FinishGeneEdit>;
+                 SeekPlayback, FitView, ToggleGroundPen, LookFrom, PokePart, ReleasePoke,
+                 ForceNeuron, ReleaseNeuron, ShowHighlight, HoldShown, ShowExhibit, StudySenses,
+                 StopSenseStudy, EditGenes, FinishGeneEdit>;
 
 struct ViewerView {
     const Playback& playback;
@@ -85,6 +87,7 @@ struct ViewerView {
     unsigned fits_asked = 0;             // number of FitView requests so far
     unsigned sides_asked = 0;            // of LookFrom requests
     ViewSide side = ViewSide::kSlanted;  // of the last of them
+    bool ground_pen = false;             // the left button draws ground
 };
 
 }  // namespace cambrian

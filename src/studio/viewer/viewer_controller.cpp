@@ -41,6 +41,12 @@ struct ViewerController::Handler {
     }
     void operator()(const SeekPlayback& request) const { playback().seek(request.tick); }
     void operator()(const FitView&) const { ++self.facts_.fits_asked; }
+    void operator()(const ToggleGroundPen&) const {
+        self.facts_.ground_pen = !self.facts_.ground_pen;
+        if (!self.facts_.ground_pen) return;
+        playback().restart();
+        ++self.facts_.fits_asked;
+    }
     void operator()(const LookFrom& request) const {
         ++self.facts_.sides_asked;
         self.facts_.side = request.side;

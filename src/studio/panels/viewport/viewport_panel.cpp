@@ -66,6 +66,11 @@ Character shown_character(const FrameContext& frame) {
     return character;
 }
 
+// The camera stays while ground is drawn.
+bool follows(const FrameContext& frame) {
+    return frame.view.follow && !frame.viewer.ground_pen;
+}
+
 // Returns the window with the displayed creature and, in a contest, with the cube and the opponent.
 WorldWindow shown_bounds(const Playback& playback) {
     const PlayedCreature& creature = playback.creature();
@@ -124,6 +129,7 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
     }
     canvas_.add_to(*ImGui::GetWindowDrawList());
     if (!frame.viewer.playback.empty()) draw_viewport_labels(frame, canvas_, space_);
+    if (frame.viewer.ground_pen && frame.may_draw_ground()) GroundPen::draw_hint(canvas_);
     if (frame.window.presenting) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_None);
         if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) out.ask(TogglePresentation{});
@@ -174,11 +180,11 @@ void ViewportPanel::place_camera(const FrameContext& frame) {
         const double share =
             std::max(pixels.x() / canvas_.size().width, pixels.y() / canvas_.size().height);
         fit_wanted_ = has_company(frame.viewer.playback) || share > 0.7 || share < 0.12;
-        if (frame.view.follow) canvas_.camera.center = follow_target(frame);
+        if (follows(frame)) canvas_.camera.center = follow_target(frame);
     }
     if (fit_wanted_) {
         fit_now(frame);
-    } else if (frame.view.follow) {
+    } else if (follows(frame)) {
         const double elapsed = static_cast<double>(ImGui::GetIO().DeltaTime);
         canvas_.camera.approach(follow_target(frame), elapsed, kFollowLag);
         // The lag is a matter of seconds, and a fast playback goes far in that time.
@@ -191,21 +197,22 @@ void ViewportPanel::handle_mouse(const FrameContext& frame, Requests& out) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool hovered = ImGui::IsItemHovered();
     if (hovered && io.MouseWheel != 0.0F) {
-        canvas_.zoom_by_wheel(frame.view.follow);
-        if (frame.view.follow) canvas_.camera.center = follow_target(frame);
+        canvas_.zoom_by_wheel(follows(frame));
+        if (follows(frame)) canvas_.camera.center = follow_target(frame);
     }
     const bool dragged = ImGui::IsItemActive() && (ImGui::IsMouseDragging(ImGuiMouseButton_Right) ||
                                                    ImGui::IsMouseDragging(ImGuiMouseButton_Middle));
     if (dragged) {
         canvas_.camera.pan(
             {static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)});
-        if (frame.view.follow && !panning_) {
+        if (follows(frame) && !panning_) {
             ViewState view = frame.view;
             view.follow = false;
             out.ask(ChangeView{view});
         }
     }
     panning_ = dragged;
+    if (pen_.handle_mouse(frame, canvas_, out)) return;
     if (!handle_light(frame, out)) handle_poke(frame, out);
     const int under = hovered ? part_at(frame.viewer.playback.creature().phenotype(),
                                         frame.viewer.playback.creature().motion().poses(),
@@ -350,6 +357,7 @@ void ViewportPanel::build_scene(const FrameContext& frame) {
     if (world != nullptr) add_foreground(scene, *world, canvas_.camera, canvas_.size(), time);
     if (frame.view.overlays.sounds) add_sounds(scene, canvas_.camera, surroundings.sounds());
     add_overlays(frame, look);
+    pen_.add_stroke(canvas_);
     const Hold* hold = playback.creature().hold();
     const auto& poses = playback.creature().motion().poses();
     if (hold == nullptr || hold->part >= poses.size()) return;

@@ -3,6 +3,7 @@
 #include "pictures/scene/scene_builder.h"
 #include "studio/frame/panel.h"
 #include "studio/host/scene_canvas.h"
+#include "studio/panels/viewport/ground_pen.h"
 #include "studio/panels/viewport/space_view.h"
 
 #include <memory>
@@ -36,6 +37,7 @@ private:
 
     SceneCanvas canvas_;
     SpaceView space_;
+    GroundPen pen_;
     bool fit_wanted_ = true;
     unsigned fits_seen_ = 0;           // number of FitView requests handled so far
     const Phenotype* seen_ = nullptr;  // creature of the last frame; compared only

@@ -53,6 +53,20 @@ void menu_button(const char* name, Icon icon, const char* help, bool lit, Lines 
     ImGui::PopStyleVar(2);
 }
 
+void pen_button(const FrameContext& frame, Requests& out) {
+    if (push_button("Draw ground",
+                    {.look = frame.viewer.ground_pen ? ButtonLook::kSelected : ButtonLook::kGhost,
+                     .icon = Icon::kPencil,
+                     .label_shown = false,
+                     .width = px(30),
+                     .height = px(28),
+                     .enabled = frame.may_draw_ground(),
+                     .tooltip = "Draw ground: each line that is dragged becomes the ground between "
+                                "its ends (D)"}))
+        out.ask(ToggleGroundPen{});
+    ImGui::SameLine();
+}
+
 }  // namespace
 
 void draw_shown_actions(const FrameContext& frame, const ImVec2& at, Requests& out) {
@@ -91,7 +105,10 @@ void draw_shown_actions(const FrameContext& frame, const ImVec2& at, Requests& o
 }
 
 void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& out) {
-    const float width = frame.window.viewer_only ? px(30) : px(30) * 2 + px(24) + px(4) * 2;
+    const bool draws = frame.viewer.ground_pen || frame.may_draw_ground();
+    const float width = frame.window.viewer_only
+                            ? px(30)
+                            : px(30) * (draws ? 3 : 2) + px(24) + px(4) * (draws ? 3 : 2);
     const ImVec2 at = {area.x + area.width - width - px(10), area.y + px(10)};
     // A plate, so that they are seen before any sky.
     ImGui::GetWindowDrawList()->AddRectFilled({at.x - px(4), at.y - px(2)},
@@ -100,6 +117,7 @@ void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& 
     ImGui::SetCursorScreenPos(at);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(4)));
     if (!frame.window.viewer_only) {
+        if (draws) pen_button(frame, out);
         menu_button("Ghosts", Icon::kGhost, "Champions of other generations beside this one",
                     frame.view.ghosts != GhostChoice::kNone, ghost_lines, frame, out);
         ImGui::SameLine();

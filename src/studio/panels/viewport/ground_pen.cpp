@@ -1,0 +1,65 @@
+#include "studio/panels/viewport/ground_pen.h"
+
+#include "studio/look/ui_context.h"
+#include "studio/widgets/widgets.h"
+#include "world/ground_stroke.h"
+
+#include <cmath>
+#include <utility>
+
+namespace cambrian {
+namespace {
+
+constexpr double kPenPixels = 3.0;  // between two points of a stroke
+constexpr std::size_t kMostPenPoints = 4000;
+constexpr float kHintTop = 12.0F;  // pixels from the top
+constexpr const char* kHint =
+    "Drag a line: it becomes the ground between its ends  ·  Shift: straight  ·  "
+    "Ctrl+Z takes it back  ·  D ends";
+
+}  // namespace
+
+bool GroundPen::handle_mouse(const FrameContext& frame, const SceneCanvas& canvas, Requests& out) {
+    if (!frame.viewer.ground_pen || !frame.may_draw_ground()) {
+        stroke_.clear();
+        return false;
+    }
+    const Vec2 mouse = canvas.mouse_in_world();
+    if (stroke_.empty()) {
+        if (ImGui::IsItemActive() && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+            stroke_.push_back({mouse.x(), mouse.y()});
+        return true;
+    }
+    out.ask(HoldShown{});
+    const GroundPoint& last = stroke_.back();
+    const double moved = std::hypot(mouse.x() - last.x, mouse.y() - last.y);
+    if (moved > kPenPixels * canvas.camera.pixel() && stroke_.size() < kMostPenPoints)
+        stroke_.push_back({mouse.x(), mouse.y()});
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return true;
+    auto points = snapped_stroke(std::exchange(stroke_, {}), ImGui::GetIO().KeyShift);
+    if (!points.empty()) out.ask(DrawGround{std::move(points)});
+    return true;
+}
+
+void GroundPen::add_stroke(SceneCanvas& canvas) const {
+    const double width = 2.5 * canvas.camera.pixel();
+    const auto points = snapped_stroke(stroke_, ImGui::GetIO().KeyShift);
+    for (std::size_t i = 1; i < points.size(); ++i)
+        canvas.frame.add_line({points[i - 1].x, points[i - 1].y}, {points[i].x, points[i].y}, width,
+                              colors().accent);
+}
+
+void GroundPen::draw_hint(const SceneCanvas& canvas) {
+    const WithFont font(ui().fonts.small);
+    const ImVec2 size = ImGui::CalcTextSize(kHint);
+    const float left = canvas.area.x + 0.5F * (canvas.area.width - size.x);
+    const ImVec2 low = {std::round(left),
+                        std::round(canvas.area.y + canvas.area.height - size.y - px(kHintTop))};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({low.x - px(8), low.y - px(4)},
+                       {low.x + size.x + px(8), low.y + size.y + px(4)},
+                       paint(with_alpha(colors().panel, 0.88F)), px(6));
+    list.AddText(low, paint(colors().text), kHint);
+}
+
+}  // namespace cambrian
