@@ -15,6 +15,7 @@ SubcommandRegistry builtin_subcommands() {
     subcommands.add(cluster_subcommand());
     subcommands.add(export_subcommand());
     subcommands.add(simulate_subcommand());
+    subcommands.add(lesion_subcommand());
     subcommands.add(render_subcommand());
     subcommands.add(film_subcommand());
     subcommands.add(race_subcommand());

@@ -20,7 +20,7 @@ duration = 2
 """
 CLOSED_AT_FIRST = ["breeding", "mutation.weights", "body", "body.joints", "body.functions",
                    "body.sensors", "body.organs", "body.references", "simulation", "trial", "run"]
-INSPECTOR_TABS = ["Creature", "Brain", "Genotype", "Ancestry", "Energy"]
+INSPECTOR_TABS = ["Creature", "Brain", "Genotype", "Ancestry", "Energy", "Lesions"]
 PLOTS = ["fitness", "diversity", "kinds", "lines", "parts", "neurons", "trials", "invalid"]
 TOUR_STEPS = 5
 KEEPS_PICTURES = "CAMBRIAN_KEEP_LOOKS" in os.environ

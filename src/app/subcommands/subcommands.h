@@ -17,6 +17,7 @@ SubcommandKind preserve_subcommand();
 SubcommandKind race_subcommand();
 SubcommandKind render_subcommand();
 SubcommandKind rescore_subcommand();
+SubcommandKind lesion_subcommand();
 SubcommandKind lift_subcommand();
 SubcommandKind schema_subcommand();
 SubcommandKind settings_subcommand();

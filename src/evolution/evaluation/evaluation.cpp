@@ -66,11 +66,10 @@ Marks marks_of(const TrialRecord& record, const GoalKind& goal, const TrialSetti
 
 std::shared_ptr<const Phenotype> grow(const Genome& genome, const ExperimentSettings& settings,
                                       const EvolutionKinds& kinds,
-                                      std::span<const std::optional<double>> held = {}) {
+                                      std::span<const Lesion> lesions = {}) {
     Phenotype phenotype =
         express(genome, kinds.creature, settings.expression, settings.world.scene);
-    for (std::size_t i = 0; i < std::min(held.size(), phenotype.sensors.size()); ++i)
-        phenotype.sensors[i].held = held[i];
+    inflict(lesions, phenotype);
     return std::make_shared<const Phenotype>(std::move(phenotype));
 }
 
@@ -124,7 +123,7 @@ EvaluationResult evaluate(const EvaluationRequest& request, const ExperimentSett
 
 JudgedTrial judge_trial(const EvaluationRequest& request, const ExperimentSettings& settings,
                         const EvolutionKinds& kinds, const std::stop_token& stop) {
-    const auto phenotype = grow(*request.genome, settings, kinds, request.held);
+    const auto phenotype = grow(*request.genome, settings, kinds, request.lesions);
     JudgedTrial judged{.result = describe(*phenotype, settings)};
     EvaluationResult& result = judged.result;
     const GoalKind& goal = goal_of(settings, kinds);

@@ -2,6 +2,7 @@
 
 // One evaluation: the pure function that every back-end calls.
 
+#include "creature/lesion.h"
 #include "evolution/evaluation/early_termination.h"
 #include "evolution/evaluation/probe.h"
 #include "evolution/individual/individual.h"
@@ -24,8 +25,7 @@ struct EvaluationRequest {
     std::optional<TerminationThreshold> threshold = std::nullopt;
     std::uint64_t expected_work = 0;  // see Individual; affects only the order of evaluation
     std::optional<Probe> probe = std::nullopt;  // world that replaces the settings' one
-    // The constants that wired sensors read instead, by their number; missing ones read as usual.
-    std::vector<std::optional<double>> held = {};
+    std::vector<Lesion> lesions = {};           // inflicted on the grown creature
 };
 
 // Runs one trial: it expresses, simulates and scores. It never throws; failures are outcomes. A

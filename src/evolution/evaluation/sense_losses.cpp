@@ -29,9 +29,7 @@ struct Readings {
     std::array<double, 5> of_sets() const {
         return {0.0, least, greatest, count > 0 ? sum / count : 0.0, at(0.5)};
     }
-    std::array<double, 6> of_pass() const {
-        return {0.0, least, at(0.25), at(0.5), at(0.75), greatest};
-    }
+    SenseConstants of_pass() const { return {0.0, least, at(0.25), at(0.5), at(0.75), greatest}; }
 };
 
 // Adds the readings of a trial, which is run for them.
@@ -62,11 +60,13 @@ public:
     double score(const Held& held) {
         if (note_) note_(scores_);
         ++scores_;
-        return held_out_score(genome_, settings_, kinds_, stop_, held);
+        std::vector<Lesion> lesions;
+        for (std::uint32_t i = 0; i < held.size(); ++i)
+            if (held[i]) lesions.push_back({LesionKind::kHeldSensor, i, 0, *held[i]});
+        return held_out_score(genome_, settings_, kinds_, stop_, std::move(lesions));
     }
     // Takes over the constant of a sensor that leaves most; returns the score.
-    double improve(Held& held, std::size_t sensor, double best,
-                   const std::array<double, 6>& constants) {
+    double improve(Held& held, std::size_t sensor, double best, const SenseConstants& constants) {
         Held tried = held;
         for (const double constant : constants) {
             if (stopped()) break;
@@ -129,6 +129,16 @@ std::shared_ptr<const Phenotype> body_of(const Genome& genome, const ExperimentS
 }
 
 }  // namespace
+
+std::vector<SenseConstants> sense_constants(const std::shared_ptr<const Phenotype>& body,
+                                            const ExperimentSettings& settings,
+                                            const EvolutionKinds& kinds,
+                                            const std::stop_token& stop) {
+    std::vector<SenseConstants> constants;
+    for (const Readings& each : readings_of(body, settings, kinds, stop))
+        constants.push_back(each.of_pass());
+    return constants;
+}
 
 SenseLosses sense_losses(const GenomePtr& genome, const ExperimentSettings& settings,
                          const EvolutionKinds& kinds, const std::stop_token& stop,

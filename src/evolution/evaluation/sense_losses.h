@@ -5,13 +5,25 @@
 
 #include "evolution/evaluation/evaluation.h"
 
+#include <array>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 namespace cambrian {
+
+// The constants that one sensor is tried with, in its unit: 0, then from the least to the greatest
+// that it reads.
+using SenseConstants = std::array<double, 6>;
+
+// Returns those of each wired sensor, from its readings in two trials.
+std::vector<SenseConstants> sense_constants(const std::shared_ptr<const Phenotype>& body,
+                                            const ExperimentSettings& settings,
+                                            const EvolutionKinds& kinds,
+                                            const std::stop_token& stop = {});
 
 struct SenseLoss {
     std::string channel;    // "obstacle-left"

@@ -136,19 +136,19 @@ EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
 
 EvaluationResult held_out_result(const GenomePtr& genome, const ExperimentSettings& settings,
                                  const EvolutionKinds& kinds, const std::stop_token& stop,
-                                 std::vector<std::optional<double>> held) {
+                                 std::vector<Lesion> lesions) {
     ExperimentSettings held_out = settings;
     held_out.world.trial.draw = 0;
     held_out.world.trial.trials = kHeldOutTrials;
     const std::uint64_t seed = stream_seed({trial_seed(held_out), kHeldOut});
-    return evaluate_in_trials({.genome = genome, .trial_seed = seed, .held = std::move(held)},
+    return evaluate_in_trials({.genome = genome, .trial_seed = seed, .lesions = std::move(lesions)},
                               held_out, kinds, stop);
 }
 
 double held_out_score(const GenomePtr& genome, const ExperimentSettings& settings,
                       const EvolutionKinds& kinds, const std::stop_token& stop,
-                      std::vector<std::optional<double>> held) {
-    return held_out_result(genome, settings, kinds, stop, std::move(held)).fitness;
+                      std::vector<Lesion> lesions) {
+    return held_out_result(genome, settings, kinds, stop, std::move(lesions)).fitness;
 }
 
 ExperimentSettings accurate_settings(const ExperimentSettings& settings,

@@ -43,13 +43,13 @@ EvaluationResult evaluate_in_trials(const EvaluationRequest& request,
                                     const std::stop_token& stop = {});
 
 // Return the result, or its score, of eight trials whose light, wall and other chance no generation
-// draws; the score is the least of the goal if one fails. `held` is as in EvaluationRequest.
+// draws; the score is the least of the goal if one fails.
 EvaluationResult held_out_result(const GenomePtr& genome, const ExperimentSettings& settings,
                                  const EvolutionKinds& kinds, const std::stop_token& stop = {},
-                                 std::vector<std::optional<double>> held = {});
+                                 std::vector<Lesion> lesions = {});
 double held_out_score(const GenomePtr& genome, const ExperimentSettings& settings,
                       const EvolutionKinds& kinds, const std::stop_token& stop = {},
-                      std::vector<std::optional<double>> held = {});
+                      std::vector<Lesion> lesions = {});
 
 // Returns the settings with an accurate integrator, a tolerance of 1e-6, a quarter of the contact
 // step and a hundred times the work, as far as settings may have these values.

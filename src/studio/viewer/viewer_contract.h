@@ -6,6 +6,7 @@
 #include "studio/playback/ghosts.h"
 #include "studio/playback/playback.h"
 #include "studio/viewer/gene_editor.h"
+#include "studio/viewer/lesion_lab.h"
 #include "studio/viewer/sense_study.h"
 
 #include <cstdint>
@@ -70,18 +71,24 @@ struct EditGenes {
 };
 // Ends an edit when the control is released, so that the next edit is a new step to undo.
 struct FinishGeneEdit {};
+// Studies what the displayed creature loses by lesions.
+struct StudyLesions {};
+// Removes the genes of the displayed creature that cost nothing.
+struct PruneShown {};
+struct StopLesions {};
 
 using ViewerRequest =
     std::variant<TogglePlayback, RestartPlayback, StepPlayback, StepPlaybackBack, TurnTrial,
                  SeekPlayback, FitView, ToggleGroundPen, LookFrom, PokePart, ReleasePoke,
                  ForceNeuron, ReleaseNeuron, ShowHighlight, HoldShown, ShowExhibit, StudySenses,
-                 StopSenseStudy, EditGenes, FinishGeneEdit>;
+                 StopSenseStudy, EditGenes, FinishGeneEdit, StudyLesions, PruneShown, StopLesions>;
 
 struct ViewerView {
     const Playback& playback;
     const ScoreReport* score = nullptr;  // score of the displayed creature, null until computed
     const GeneEditor* genes = nullptr;   // null if the creature cannot be edited
     const SenseStudy* senses = nullptr;  // of the displayed creature; may be null
+    const LesionLab* lesions = nullptr;
     std::span<const std::unique_ptr<Ghost>> ghosts = {};
     Highlight highlight = {};
     unsigned fits_asked = 0;             // number of FitView requests so far

@@ -1,5 +1,7 @@
 #include "studio/viewer/viewer_controller.h"
 
+#include "core/text/counted.h"
+#include "core/text/pretty_text.h"
 #include "genome/genome.h"
 #include "studio/background/people_words.h"
 
@@ -95,6 +97,13 @@ struct ViewerController::Handler {
         self.show_edited();
     }
     void operator()(const FinishGeneEdit&) const { self.genes_.finish(); }
+    void operator()(const StudyLesions&) const {
+        if (!playback().empty()) self.lesions_.study(playback().exhibit());
+    }
+    void operator()(const PruneShown&) const {
+        if (!playback().empty()) self.lesions_.prune(playback().exhibit());
+    }
+    void operator()(const StopLesions&) const { self.lesions_.stop(); }
 };
 
 ViewerController::ViewerController(const Services& services, ViewState& view)
@@ -102,11 +111,16 @@ ViewerController::ViewerController(const Services& services, ViewState& view)
       view_(view),
       viewer_(services.worker, services.kinds),
       senses_(services.kinds),
+      lesions_(services.kinds),
       ghosts_(services.kinds.creature),
-      facts_{.playback = viewer_.playback(), .genes = &genes_, .senses = &senses_} {}
+      facts_{.playback = viewer_.playback(),
+             .genes = &genes_,
+             .senses = &senses_,
+             .lesions = &lesions_} {}
 
 void ViewerController::update(double elapsed, const EvolutionSnapshot& snapshot) {
     senses_.update();
+    if (const auto pruning = lesions_.update()) show_pruned(*pruning);
     viewer_.playback().pace().speed = view_.speed;
     viewer_.playback().advance(elapsed, kPlaybackBudget);
     const ScoreReport* score = viewer_.score();
@@ -173,7 +187,7 @@ double ViewerController::shown_for() const {
 bool ViewerController::animating() const {
     const Playback& playback = viewer_.playback();
     return (playback.pace().playing && !playback.empty()) || playback.seeking() ||
-           senses_.running();
+           senses_.running() || lesions_.running();
 }
 
 void ViewerController::show_edited() {
@@ -181,6 +195,26 @@ void ViewerController::show_edited() {
     senses_.clear();
     clear_highlight();
     shown_since_ = services_.feedback.now();
+}
+
+void ViewerController::show_pruned(const LesionLab::Pruning& pruning) {
+    const Playback& playback = viewer_.playback();
+    const std::size_t count = pruning.twin.removed.size();
+    services_.feedback.log().write("pruned", {{"genes", static_cast<double>(count)}});
+    if (playback.empty() || playback.exhibit().genome() != pruning.whole)
+        return services_.feedback.tell(
+            NoticeKind::kProblem,
+            "The creature that was pruned is no longer displayed; show it "
+            "and prune it again.");
+    if (count == 0)
+        return services_.feedback.tell(NoticeKind::kDone,
+                                       "Nothing can be pruned: every gene counts.");
+    carry_out(EditGenes{pruning.twin.genome, {"pruned", "", counted(count, "gene") + " removed"}});
+    genes_.finish();
+    services_.feedback.tell(NoticeKind::kDone, "Pruned: without " + counted(count, "gene") + ", " +
+                                                   pretty_number(pruning.twin.after) + " of " +
+                                                   pretty_number(pruning.twin.before) +
+                                                   " is left. Ctrl+Z takes it back.");
 }
 
 void ViewerController::log_tick() {

@@ -55,12 +55,14 @@ private:
     bool step_gene_edit(void (GeneEditor::*step)(), const char* news);
     void show_edited();
     void log_tick();
+    void show_pruned(const LesionLab::Pruning& pruning);
 
     Services services_;
     ViewState& view_;
     Viewer viewer_;
     SenseStudy senses_;
     GeneEditor genes_;  // edits of the displayed creature
+    LesionLab lesions_;
     Ghosts ghosts_;
     ViewerView facts_;
     bool attended_ = false;     // the pointer is in the creature's controls

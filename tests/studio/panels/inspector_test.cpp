@@ -49,7 +49,7 @@ TEST_CASE("every tab of the inspector draws", "[studio][inspector]") {
     for (int i = 0; i < 100; ++i)
         studio.playback().step();
     Requests out;
-    for (const char* tab : {"Brain", "Genotype", "Ancestry", "Energy", "Creature"})
+    for (const char* tab : {"Brain", "Genotype", "Ancestry", "Energy", "Lesions", "Creature"})
         gui.click(tab, [&] { panel.draw(studio.frame(), out); });
     CHECK(gui.has("brain node 0"));
     CHECK(gui.has("gene 0"));

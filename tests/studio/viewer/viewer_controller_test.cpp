@@ -56,6 +56,26 @@ TEST_CASE("an edited creature is scored again and saved as edited", "[studio][vi
     CHECK(saved->genome().nodes[0].length == 1.2);
 }
 
+TEST_CASE("the displayed creature's lesions are found, and it is pruned as an edit",
+          "[studio][viewer]") {
+    StudioRun run;
+    run.studio.show_founders();
+    const auto viewer = [&] { return run.studio.frame_context().viewer; };
+    run.ask(StudyLesions{});
+    CHECK(viewer().lesions->running());
+    const GenomePtr whole = viewer().playback.exhibit().genome();
+    REQUIRE(run.frames_until([&] { return viewer().lesions->table_of(whole) != nullptr; }));
+    CHECK(!viewer().lesions->running());
+    CHECK(!viewer().lesions->table_of(whole)->rows.empty());
+    run.ask(PruneShown{});
+    CHECK(viewer().lesions->pruning());
+    REQUIRE(run.frames_until([&] { return !viewer().lesions->running(); }));
+    CHECK(run.log().find("{\"event\":\"pruned\"") != std::string::npos);
+    run.ask(StudyLesions{});
+    run.ask(StopLesions{});
+    CHECK(!viewer().lesions->running());
+}
+
 TEST_CASE("a gene outside its range is refused with a message", "[studio][viewer]") {
     StudioRun run;
     run.studio.show_founders();

@@ -6,6 +6,7 @@
 #include "studio/panels/inspector/creature_tab.h"
 #include "studio/panels/inspector/energy_tab.h"
 #include "studio/panels/inspector/genotype_tab.h"
+#include "studio/panels/inspector/lesions_tab.h"
 #include "studio/widgets/widgets.h"
 
 namespace cambrian {
@@ -16,6 +17,7 @@ InspectorPanel::InspectorPanel() {
     tabs_.push_back({"Genotype", std::make_unique<GenotypeTab>()});
     tabs_.push_back({"Ancestry", std::make_unique<AncestryTab>()});
     tabs_.push_back({"Energy", std::make_unique<EnergyTab>()});
+    tabs_.push_back({"Lesions", std::make_unique<LesionsTab>()});
 }
 
 void InspectorPanel::draw(const FrameContext& frame, Requests& out) {
