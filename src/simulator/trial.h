@@ -156,7 +156,7 @@ private:
 
     std::shared_ptr<const Phenotype> phenotype_;
     TrialWorld world_;
-    std::uint64_t test_length_;  // ticks
+    std::uint64_t test_length_;              // ticks
     std::shared_ptr<const Terrain> ground_;  // null if it is flat
     std::unique_ptr<PhysicsScene> scene_;
     std::unique_ptr<Bout> bout_;
