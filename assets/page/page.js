@@ -160,17 +160,18 @@ function drawSurface(to, w, h) {
   const ends = [-half, half].map(d => [camera[0] + d, heightAt(camera[0] + d)]);
   const points = [ends[0], ...line, ends[1]].map(to), turf = Math.max(4, 0.018 * h);
   g.fillStyle = gradient(g, 0, 0.4 * h, 0, 1.1 * h, ['#8a5a3a', '#4a2f1f']);
-  g.beginPath();
-  g.moveTo(points[0][0], h + 9);
-  points.forEach(p => g.lineTo(...p));
-  g.lineTo(points[points.length - 1][0], h + 9);
-  g.fill();
+  const land = new Path2D(), far = 2 * turf;
+  land.moveTo(points[0][0] - far, h + far);
+  points.forEach(p => land.lineTo(...p));
+  land.lineTo(points[points.length - 1][0] + far, h + far);
+  land.closePath();
+  g.fill(land);
+  g.save();
+  g.clip(land);  // only the half of the line within the ground is seen
   g.strokeStyle = '#569638';
-  g.lineWidth = turf;
-  g.lineJoin = 'round';
-  g.beginPath();
-  points.forEach(p => g.lineTo(p[0], p[1] + 0.5 * turf));
-  g.stroke();
+  g.lineWidth = 2 * turf;
+  g.stroke(land);
+  g.restore();
 }
 
 function drawGround(row, to, w) {
