@@ -209,6 +209,14 @@ constexpr std::array kPresets = {
                           return each.usual || each.id == "light";
                       });
                   }},
+    SettingPreset{kSensors, "Feelers",
+                  "Whiskers and heights of the ground and no others, among which selection would "
+                  "hardly find them.",
+                  [](Settings& s, const EvolutionKinds& kinds) {
+                      allow_sensors(s, kinds,
+                                    [](const SensorKind& each) { return each.feels_ground; });
+                  },
+                  true},
     SettingPreset{kSensors, "All senses", "All kinds of sensors.",
                   [](Settings& s, const EvolutionKinds& kinds) {
                       allow_sensors(s, kinds, [](const SensorKind&) { return true; });

@@ -53,7 +53,7 @@ void draw_senses(const FrameContext& frame, Requests& out) {
     if (study.running()) {
         muted_text("Its trials are run without its senses…");
         progress_bar(static_cast<float>(study.share()), 0.0F, px(6));
-        if (push_button("Stop##senses", {.height = px(26)})) out.ask(StopSenseStudy{});
+        if (push_button("Stop", {.height = px(26)})) out.ask(StopSenseStudy{});
     } else if (study.losses() != nullptr) {
         draw_losses(frame, *study.losses(), out);
     } else if (push_button("Weigh its senses",
