@@ -59,9 +59,9 @@ void Creature::reset() {
 
 SensorSite Creature::site_of(const WiredSensor& sensor, const BodyView& body,
                              const Surroundings& surroundings, double share) const {
-    return {body,        surroundings,     phenotype_->plan.parts[sensor.part],
-            sensor.part, sensor.channel,   sensor.handedness,
-            share,       sensor.depth_sign};
+    return {body,        surroundings,   phenotype_->plan.parts[sensor.part],
+            sensor.part, sensor.channel, sensor.mirror,
+            share};
 }
 
 // Computes what is the same in every tick of the same scene and length.

@@ -63,7 +63,6 @@ private:
     const NodeGene& gene(const BodyPart& part) const { return genome_.nodes[part.node]; }
 
     static Vec3 size_of(const BodyPart& part) { return {part.length, part.width, part.thickness}; }
-    static MirrorSigns signs_of(const BodyPart& part) { return {part.handedness, part.depth_sign}; }
 
     Bud root() const {
         const NodeGene& node = genome_.nodes[0];
@@ -71,7 +70,7 @@ private:
         bud.part.length = node.length;
         bud.part.width = node.width;
         if (is_spatial_) bud.part.thickness = node.depth;
-        if (is_mirrored_) bud.part.handedness = -1;
+        if (is_mirrored_) bud.part.mirror.across = -1;
         bud.body = placement_.place_root(size_of(bud.part), genome_, is_mirrored_);
         bud.growing.occurrences[0] = 1;
         return bud;
@@ -115,9 +114,7 @@ private:
                 buds.push_back(bud(parent, *edges[partner], edges[i]->scale,
                                    placement_.mirrored(place, target.mirror_axis)));
                 BodyPart& image = buds.back().part;
-                const MirrorSigns signs = placement_.flipped(signs_of(image), target.mirror_axis);
-                image.handedness = signs.across;
-                image.depth_sign = signs.depth;
+                image.mirror = placement_.flipped(image.mirror, target.mirror_axis);
             }
             try_add(buds);
         }
@@ -146,16 +143,16 @@ private:
         bud.part.node = edge.target;
         bud.part.parent = static_cast<int>(parent);
         bud.part.depth = from.depth + 1;
-        bud.part.handedness = from.handedness * (edge.reflect ? -1 : 1);
+        bud.part.mirror = {from.mirror.across * (edge.reflect ? -1 : 1),
+                           from.mirror.depth * (edge.reflect_depth ? -1 : 1)};
         bud.part.length = std::clamp(bud.growing.scale * node.length, gene_range::kMinSize,
                                      gene_range::kMaxLength);
         bud.part.width =
             std::clamp(bud.growing.scale * node.width, gene_range::kMinSize, gene_range::kMaxWidth);
-        bud.part.depth_sign = from.depth_sign * (edge.reflect_depth ? -1 : 1);
         if (is_spatial_)
             bud.part.thickness = std::clamp(bud.growing.scale * node.depth, gene_range::kMinSize,
                                             gene_range::kMaxWidth);
-        bud.body = placement_.place_child(phenotype_.plan.parts[parent], signs_of(from), place,
+        bud.body = placement_.place_child(phenotype_.plan.parts[parent], from.mirror, place,
                                           size_of(bud.part));
         return bud;
     }
@@ -214,10 +211,9 @@ private:
                          .limit_high = node.limit_high,
                          .length = part.length,
                          .width = std::fmin(part.width, parent.width),
-                         .handedness = part.handedness,
+                         .mirror = part.mirror,
                          .muscle_strength = scene_.muscle_strength,
-                         .depth = std::fmin(part.thickness, parent.thickness),
-                         .depth_sign = part.depth_sign};
+                         .depth = std::fmin(part.thickness, parent.thickness)};
         for (std::size_t i = 0; i < node.further.size(); ++i)
             genes.further_limits[i] = {node.further[i].limit_low, node.further[i].limit_high};
         joint.shape(genes, body);

@@ -31,11 +31,10 @@ struct BodyPart {
     std::uint8_t instance = 0;  // number of this copy of the node, in order of creation
     int parent = -1;
     int depth = 0;
-    int handedness = 1;   // -1 for mirrored parts
+    Mirror mirror = {};
     double length = 0.0;  // m, after scaling
     double width = 0.0;
     double thickness = 0.0;          // m, the size in depth; 0 in the plane
-    int depth_sign = 1;              // -1 for parts whose front and back are exchanged
     std::uint32_t first_neuron = 0;  // index of its first neuron in the network
     std::uint32_t neuron_count = 0;
 };
@@ -46,10 +45,9 @@ struct WiredSensor {
     std::uint16_t part = 0;
     std::uint8_t kind = 0;     // index into the sensor registry
     std::uint8_t channel = 0;  // channel of that kind
-    // Handedness of the part; +1 for a sliding joint, whose sign mirroring does not change.
-    int handedness = 1;
+    // Of the part; its handedness is 1 for a sliding joint, whose sign mirroring does not change.
+    Mirror mirror = {};
     double scale = 1.0;  // 1 / length of the part for a sliding joint, otherwise 1
-    int depth_sign = 1;  // of the part
     // The constant that it reads whatever happens, in its own unit, to see what the creature loses
     // without it. No gene sets it.
     std::optional<double> held = {};

@@ -45,9 +45,9 @@ void add_part(Hash64& hash, const PlannedPart& part) {
 void add_sensor(Hash64& hash, const WiredSensor& sensor) {
     for (const int number : {int{sensor.part}, int{sensor.kind}, int{sensor.channel}})
         add_integer(hash, number);
-    add_integer(hash, sensor.handedness);
+    add_integer(hash, sensor.mirror.across);
     hash.add(sensor.scale);
-    if (sensor.depth_sign != 1) add_integer(hash, sensor.depth_sign);
+    if (sensor.mirror.depth != 1) add_integer(hash, sensor.mirror.depth);
 }
 
 // Adds connected neurons to the hash, numbered in the order of evaluation.

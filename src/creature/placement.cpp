@@ -66,8 +66,8 @@ Attachment mirrored(const Attachment& original, MirrorAxis axis) {
     return attachment_of({-p.x(), p.y()}, kPi - original.angle);
 }
 
-MirrorSigns flipped(const MirrorSigns& signs, MirrorAxis /*axis*/) {
-    return {-signs.across, signs.depth};
+Mirror flipped(const Mirror& mirror, MirrorAxis /*axis*/) {
+    return {-mirror.across, mirror.depth};
 }
 
 PlannedPart place_root(const Vec3& size, const Genome& genome, bool mirrored) {
@@ -75,14 +75,14 @@ PlannedPart place_root(const Vec3& size, const Genome& genome, bool mirrored) {
     return box(Vec2::Zero(), angle, size.x(), size.y());
 }
 
-PlannedPart place_child(const PlannedPart& parent, const MirrorSigns& parent_signs,
+PlannedPart place_child(const PlannedPart& parent, const Mirror& parent_mirror,
                         const Attachment& attachment, const Vec3& size) {
-    const int parent_handedness = parent_signs.across;
-    CAMBRIAN_TICK_ASSERT(parent_handedness == 1 || parent_handedness == -1, "a handedness");
+    const int side = parent_mirror.across;
+    CAMBRIAN_TICK_ASSERT(side == 1 || side == -1, "a handedness");
     const double length = size.x();
-    const Vec2 local(attachment.point.x(), parent_handedness * attachment.point.y());
+    const Vec2 local(attachment.point.x(), side * attachment.point.y());
     const Vec2 anchor = parent.rest_pose.position.head<2>() + rotated(local, parent.rest_angle);
-    const double angle = parent.rest_angle + parent_handedness * attachment.angle;
+    const double angle = parent.rest_angle + side * attachment.angle;
     PlannedPart part = box(anchor + 0.5 * length * direction(angle), angle, length, size.y());
     part.anchor_in_parent = {local.x(), local.y(), 0.0};
     return part;

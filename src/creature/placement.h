@@ -1,21 +1,13 @@
 #pragma once
 
 // The geometry of attaching a part to another, in the plane or in space (creature/README.md 2, 4,
-// 10). Growth leaves all that depends on the number of dimensions to it and to mirror signs.
+// 10). Growth leaves all that depends on the number of dimensions to it and to mirrors.
 
 #include "genome/genome.h"
 #include "math/types.h"
-#include "world/body_plan.h"
+#include "world/joint_kind.h"
 
 namespace cambrian {
-
-// The signs of a part's sides y and z, which mirroring flips.
-struct MirrorSigns {
-    int across = 1;  // handedness: left and right
-    int depth = 1;   // front and back; 1 in the plane
-
-    friend bool operator==(const MirrorSigns&, const MirrorSigns&) = default;
-};
 
 // The place and direction at which a child is attached, in the parent's frame before mirroring.
 struct Attachment {
@@ -31,14 +23,14 @@ struct Placement {
     Attachment (*attachment)(const EdgeGene& edge, const Vec3& parent_size) = nullptr;
     // Returns the attachment of the mirror partner.
     Attachment (*mirrored)(const Attachment& original, MirrorAxis axis) = nullptr;
-    // Returns the signs of the mirror partner.
-    MirrorSigns (*flipped)(const MirrorSigns& signs, MirrorAxis axis) = nullptr;
+    // Returns the mirror of the mirror partner.
+    Mirror (*flipped)(const Mirror& mirror, MirrorAxis axis) = nullptr;
     // Returns the root, centred at the origin, in the attitude of its genes or its mirror image
     // from left to right.
     PlannedPart (*place_root)(const Vec3& size, const Genome& genome, bool mirrored) = nullptr;
-    // Returns a child of the given size at rest, with poses and anchors. The signs are the
-    // parent's.
-    PlannedPart (*place_child)(const PlannedPart& parent, const MirrorSigns& parent_signs,
+    // Returns a child of the given size at rest, with poses and anchors. The mirror is
+    // the parent's.
+    PlannedPart (*place_child)(const PlannedPart& parent, const Mirror& parent_mirror,
                                const Attachment& attachment, const Vec3& size) = nullptr;
     // Returns whether a part lies inside another and almost parallel to it: its centre is within
     // the middle 70 % in all directions, and the long axes differ by less than 17 degrees.

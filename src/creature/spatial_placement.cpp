@@ -24,8 +24,8 @@ Rotation reflected(const Rotation& q, const Vec3& signs) {
             signs.x() * signs.y() * q.z()};
 }
 
-Vec3 reflection_of(const MirrorSigns& signs) {
-    return {1.0, static_cast<double>(signs.across), static_cast<double>(signs.depth)};
+Vec3 reflection_of(const Mirror& mirror) {
+    return {1.0, static_cast<double>(mirror.across), static_cast<double>(mirror.depth)};
 }
 
 // A point of the parent's outline in its middle plane, and the direction out of it.
@@ -96,9 +96,9 @@ Attachment solid_mirrored(const Attachment& original, MirrorAxis axis) {
     return image;
 }
 
-MirrorSigns solid_flipped(const MirrorSigns& signs, MirrorAxis axis) {
-    return axis == MirrorAxis::kDepth ? MirrorSigns{signs.across, -signs.depth}
-                                      : MirrorSigns{-signs.across, signs.depth};
+Mirror solid_flipped(const Mirror& mirror, MirrorAxis axis) {
+    return axis == MirrorAxis::kDepth ? Mirror{mirror.across, -mirror.depth}
+                                      : Mirror{-mirror.across, mirror.depth};
 }
 
 PlannedPart solid(const Vec3& center, const Rotation& attitude, const Vec3& size) {
@@ -119,9 +119,9 @@ PlannedPart place_solid_root(const Vec3& size, const Genome& genome, bool /*mirr
     return solid(Vec3::Zero(), root_attitude(genome), size);
 }
 
-PlannedPart place_solid_child(const PlannedPart& parent, const MirrorSigns& parent_signs,
+PlannedPart place_solid_child(const PlannedPart& parent, const Mirror& parent_mirror,
                               const Attachment& attachment, const Vec3& size) {
-    const Vec3 signs = reflection_of(parent_signs);
+    const Vec3 signs = reflection_of(parent_mirror);
     const Vec3 anchor = signs.cwiseProduct(attachment.point);
     const Rotation attitude =
         (parent.rest_pose.orientation * reflected(attachment.attitude, signs)).normalized();

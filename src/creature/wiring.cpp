@@ -83,10 +83,9 @@ private:
             if (body.motion == JointMotion::kFixed) continue;
             const BodyPart& part = phenotype_.parts[i];
             for (std::size_t degree = 0; degree < degrees_of(body); ++degree) {
-                const double to_joint =
-                    body.motion == JointMotion::kSlide
-                        ? part.length
-                        : turn_sign(body.axes[degree], part.handedness, part.depth_sign);
+                const double to_joint = body.motion == JointMotion::kSlide
+                                            ? part.length
+                                            : part.mirror.of_turn(body.axes[degree]);
                 const InputGene& effector = effector_of(gene(i), degree);
                 phenotype_.effectors.push_back(
                     {static_cast<std::uint16_t>(i), static_cast<std::uint8_t>(degree)});
@@ -181,11 +180,10 @@ private:
         while (channel >= kinds_.sensors[sensor.kind].channels.size())
             channel -= kinds_.sensors[sensor.kind++].channels.size();
         sensor.channel = static_cast<std::uint8_t>(channel);
-        sensor.handedness = phenotype_.parts[part].handedness;
-        sensor.depth_sign = phenotype_.parts[part].depth_sign;
+        sensor.mirror = phenotype_.parts[part].mirror;
         const bool sliding = part > 0 && phenotype_.plan.parts[part].motion == JointMotion::kSlide;
         if (sliding && kinds_.sensors[sensor.kind].reads_joint) {
-            sensor.handedness = 1;
+            sensor.mirror.across = 1;
             sensor.scale = 1.0 / phenotype_.parts[part].length;
         }
         return sensor;

@@ -37,7 +37,7 @@ double nearness(double distance) {
 }
 
 double read_obstacle(const SensorSite& site, double& /*memory*/) {
-    const int direction = (site.channel == 0 ? -1 : 1) * site.handedness;
+    const int direction = (site.channel == 0 ? -1 : 1) * site.mirror.across;
     return nearness(site.surroundings.obstacle(site.body.part_center(site.index), direction));
 }
 

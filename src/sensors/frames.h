@@ -21,14 +21,14 @@ inline double limited_reading(double reading) {
 inline double component(const SensorSite& site, const Vec3& vector) {
     const Vec3 axis = site.body.part_axis(site.index);
     if (site.channel == 0) return vector.dot(axis);
-    return site.handedness * (axis.x() * vector.y() - axis.y() * vector.x());
+    return site.mirror.across * (axis.x() * vector.y() - axis.y() * vector.x());
 }
 
 // Returns the sign of a coordinate of the joint: that of the turn, or 1 for a sliding joint, which
 // mirroring does not change.
 inline int joint_sign(const SensorSite& site) {
     if (site.part.motion == JointMotion::kSlide) return 1;
-    return turn_sign(site.part.axes[0], site.handedness, site.depth_sign);
+    return site.mirror.of_turn(site.part.axes[0]);
 }
 
 // Returns the spots of a pair of channels, the second on the part's left. `along` and `across` are

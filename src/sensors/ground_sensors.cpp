@@ -24,7 +24,7 @@ WhiskerFace whisker_face(std::size_t channel, int handedness) {
 }
 
 double read_whisker(const SensorSite& site, double& /*memory*/) {
-    const WhiskerFace face = whisker_face(site.channel, site.handedness);
+    const WhiskerFace face = whisker_face(site.channel, site.mirror.across);
     const Vec3 axis = site.body.part_axis(site.index);
     const Vec3 normal = face.along * axis + face.across * Vec3(-axis.y(), axis.x(), 0.0);
     const Vec3 half = site.body.part_half_extents(site.index);
@@ -42,7 +42,7 @@ Vec3 whisker_spot(std::size_t channel, int handedness) {
 
 double read_rise(const SensorSite& site, double& /*memory*/) {
     const double x = site.body.part_center(site.index).x();
-    const int direction = (site.channel == 0 ? -1 : 1) * site.handedness;
+    const int direction = (site.channel == 0 ? -1 : 1) * site.mirror.across;
     const double rise = site.surroundings.ground_height(x + direction * kAside) -
                         site.surroundings.ground_height(x);
     return std::clamp(rise / kFullHeight, -1.0, 1.0);

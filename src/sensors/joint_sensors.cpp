@@ -24,7 +24,7 @@ double read_joint_rate(const SensorSite& site, double& /*memory*/) {
 template <class Read>
 double read_further(const SensorSite& site, std::size_t degree, Read read) {
     if (degree >= degrees_of(site.part)) return 0.0;
-    const int sign = turn_sign(site.part.axes[degree], site.handedness, site.depth_sign);
+    const int sign = site.mirror.of_turn(site.part.axes[degree]);
     return sign * read(JointDegree{static_cast<std::uint16_t>(site.index),
                                    static_cast<std::uint8_t>(degree)});
 }

@@ -18,7 +18,7 @@ double read_acceleration(const SensorSite& site, double& memory) {
 
 double read_spin(const SensorSite& site, double& /*memory*/) {
     const double spin = site.body.part_twist(site.index).angular.z();
-    return limited_reading(site.handedness * spin / kSpinUnit);
+    return limited_reading(site.mirror.across * spin / kSpinUnit);
 }
 
 }  // namespace

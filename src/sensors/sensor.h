@@ -5,6 +5,7 @@
 
 #include "core/registry.h"
 #include "world/body_view.h"
+#include "world/joint_kind.h"
 #include "world/surroundings.h"
 
 #include <string>
@@ -24,13 +25,10 @@ struct SensorSite {
     const PlannedPart& part;
     std::size_t index = 0;    // index of the part
     std::size_t channel = 0;  // channel of the kind
-    // +1, or -1 for mirrored parts, whose left and right are exchanged and whose joint is mirrored
-    // (creature/README.md 2).
-    int handedness = 1;
+    Mirror mirror = {};       // of the part, and of its joint
     // Share of the way from the last reading to the present value, for smoothing
     // (SensorKind::time_constant); 0 repeats the last reading.
     double share = 1.0;
-    int depth_sign = 1;  // -1 for parts in space whose front and back are exchanged
 };
 
 struct SensorKind {

@@ -19,7 +19,7 @@ Face face_of(std::size_t channel, int handedness) {
 }
 
 double read_contact(const SensorSite& site, double& /*memory*/) {
-    const Face face = face_of(site.channel, site.handedness);
+    const Face face = face_of(site.channel, site.mirror.across);
     return site.body.face_touched(site.index, face) ? 1.0 : -1.0;
 }
 
@@ -42,12 +42,12 @@ Vec3 contact_spot(std::size_t channel, int handedness) {
 }
 
 // Front and back, which are exchanged where depth is mirrored.
-Face flat_face_of(std::size_t channel, int depth_sign) {
-    return (channel == 0) == (depth_sign > 0) ? Face::kFront : Face::kBack;
+Face flat_face_of(std::size_t channel, const Mirror& mirror) {
+    return (channel == 0) == (mirror.depth > 0) ? Face::kFront : Face::kBack;
 }
 
 double read_flat_contact(const SensorSite& site, double& /*memory*/) {
-    const Face face = flat_face_of(site.channel, site.depth_sign);
+    const Face face = flat_face_of(site.channel, site.mirror);
     return site.body.face_touched(site.index, face) ? 1.0 : -1.0;
 }
 

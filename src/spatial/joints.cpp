@@ -13,7 +13,7 @@ constexpr double kMostSwing = 2.2;      // rad; a ball's twist turns fast where 
 constexpr double kMostExtension = 0.9;  // share of the part's length, in both directions
 
 DegreeLimits hinge(const JointGenes& genes, int axis, double low, double high) {
-    const bool mirrored = turn_sign(axis, genes.handedness, genes.depth_sign) < 0;
+    const bool mirrored = genes.mirror.of_turn(axis) < 0;
     const double area = genes.width * genes.depth;
     const double lever = axis == 0 ? std::sqrt(area) : axis == 1 ? genes.depth : genes.width;
     return {mirrored ? -high : low, mirrored ? -low : high, genes.muscle_strength * area * lever};

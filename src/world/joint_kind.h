@@ -10,19 +10,32 @@
 
 namespace cambrian {
 
+// The signs of a part's sides y and z, which mirroring flips (creature/README.md 2).
+struct Mirror {
+    int across = 1;  // handedness: left and right
+    int depth = 1;   // front and back; 1 in the plane
+
+    // Returns the sign of the part's angle about an axis of its frame (x, y, z): turns are
+    // pseudovectors.
+    int of_turn(int axis) const {
+        if (axis == 0) return across * depth;
+        return axis == 1 ? depth : across;
+    }
+
+    friend bool operator==(const Mirror&, const Mirror&) = default;
+};
+
 // The data on which limits and motor of an expressed joint depend.
 struct JointGenes {
     // Limit of the gene, in rad, or in lengths of the part for a sliding joint.
     double limit_low = 0.0;
-    double limit_high = 0.0;       // as limit_low
-    double length = 0.0;           // m, of the part
-    double width = 0.0;            // m, of the narrower one of the two parts
-    int handedness = 1;            // -1 for mirrored parts
+    double limit_high = 0.0;  // as limit_low
+    double length = 0.0;      // m, of the part
+    double width = 0.0;       // m, of the narrower one of the two parts
+    Mirror mirror = {};
     double muscle_strength = 0.0;  // SceneSettings::muscle_strength
-    // In space: the depth of the shallower one, the other sign of mirroring (creature/README.md 2)
-    // and the limits of the further degrees of freedom.
+    // In space: the depth of the shallower one and the limits of the further degrees of freedom.
     double depth = 0.0;  // m
-    int depth_sign = 1;
     std::array<std::array<double, 2>, kMostDegrees - 1> further_limits = {};
 };
 
@@ -37,13 +50,6 @@ struct JointKind {
 
     int degrees_of_freedom() const { return motion == JointMotion::kFixed ? 0 : turns; }
 };
-
-// Returns the sign of a mirrored part's angle about an axis of its frame (x, y, z), where the sides
-// y and z of the part have these signs: turns are pseudovectors.
-inline int turn_sign(int axis, int handedness, int depth_sign) {
-    if (axis == 0) return handedness * depth_sign;
-    return axis == 1 ? depth_sign : handedness;
-}
 
 using JointRegistry = Registry<JointKind>;
 

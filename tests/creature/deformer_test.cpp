@@ -101,7 +101,7 @@ TEST_CASE("mirrored parts deform alike", "[creature][deformer]") {
     const Phenotype phenotype =
         express(genome_of({node_with({edge_to(1, 0.3, 0.4), edge_to(1, 0.8, -1.0)}), leg}));
     REQUIRE(phenotype.parts.size() == 3);
-    REQUIRE(phenotype.parts[1].handedness == -phenotype.parts[2].handedness);
+    REQUIRE(phenotype.parts[1].mirror.across == -phenotype.parts[2].mirror.across);
     const SceneSettings settings;
     Creature creature(phenotype, kinds(), settings);
     FakeScene scene(3);

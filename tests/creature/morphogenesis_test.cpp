@@ -60,8 +60,8 @@ TEST_CASE("an odd edge to a symmetric part grows alone", "[creature][morphogenes
     const NodeGene body = node_with({edge_to(1, 0.3), edge_to(1, 0.3), edge_to(1, 0.6)});
     const Phenotype grown = express(genome_of({body, leg}));
     REQUIRE(grown.parts.size() == 4);
-    CHECK(grown.parts[2].handedness == -1);
-    CHECK(grown.parts[3].handedness == 1);
+    CHECK(grown.parts[2].mirror.across == -1);
+    CHECK(grown.parts[3].mirror.across == 1);
 }
 
 TEST_CASE("a pair whose members would coincide is not grown", "[creature][morphogenesis]") {
@@ -103,8 +103,8 @@ TEST_CASE("mirror partners are mirror images about their parent's axis",
         const Vec3 right = body.plan.parts[2].rest_pose.position;
         CHECK(right.x() == Approx(x_sign * left.x()));
         CHECK(right.y() == Approx(y_sign * left.y()));
-        CHECK(body.parts[1].handedness == 1);
-        CHECK(body.parts[2].handedness == -1);
+        CHECK(body.parts[1].mirror.across == 1);
+        CHECK(body.parts[2].mirror.across == -1);
         CHECK(body.plan.parts[2].limit_low == -body.plan.parts[1].limit_high);
         CHECK(body.plan.parts[2].limit_high == -body.plan.parts[1].limit_low);
     };

@@ -53,7 +53,7 @@ TEST_CASE("the phenotype's hash is over all that a trial depends on", "[creature
         [](Phenotype& p) { ++p.sensors.back().part; },
         [](Phenotype& p) { ++p.sensors.back().kind; },
         [](Phenotype& p) { ++p.sensors.back().channel; },
-        [](Phenotype& p) { p.sensors.back().handedness = -p.sensors.back().handedness; },
+        [](Phenotype& p) { p.sensors.back().mirror.across = -p.sensors.back().mirror.across; },
         [](Phenotype& p) { p.sensors.back().scale += 1e-9; },
         [](Phenotype& p) { ++p.network.neurons[p.network.order.back()].function; },
         [](Phenotype& p) { p.network.neurons[p.network.order.back()].inputs[0].weight += 1e-9; },

@@ -243,6 +243,6 @@ TEST_CASE("a mirrored creature is the mirror image of the given one", "[goals][c
         const Vec3 right = mirrored.plan.parts[part].rest_pose.position;
         CHECK(left.x() == Approx(-right.x()).margin(1e-12));
         CHECK(left.y() == Approx(right.y()).margin(1e-12));
-        CHECK(given.parts[part].handedness == -mirrored.parts[part].handedness);
+        CHECK(given.parts[part].mirror.across == -mirrored.parts[part].mirror.across);
     }
 }

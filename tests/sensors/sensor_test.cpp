@@ -19,7 +19,7 @@ double read(const FakeScene& scene, std::size_t kind, std::size_t channel, int h
     const FakeSurroundings surroundings;
     const PlannedPart part;
     double memory = 0.0;
-    return sensors()[kind].read({scene, surroundings, part, 0, channel, handedness}, memory);
+    return sensors()[kind].read({scene, surroundings, part, 0, channel, {handedness}}, memory);
 }
 
 // A single part whose readings are compared with a table.
@@ -35,7 +35,7 @@ struct Bench {
         for (const SensorKind& kind : sensors().all()) {
             for (std::size_t channel = 0; channel < kind.channels.size(); ++channel) {
                 if (kind.channels[channel].id == channel_id)
-                    return kind.read({scene, surroundings, part, 0, channel, handedness, share},
+                    return kind.read({scene, surroundings, part, 0, channel, {handedness}, share},
                                      memory);
             }
         }

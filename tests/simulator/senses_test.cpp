@@ -37,9 +37,9 @@ Phenotype random_senser(RandomStream& stream, bool has_ground) {
 Phenotype mirror_twin(Phenotype creature, Flip flip) {
     creature.plan = mirror_image(creature.plan, flip);
     for (BodyPart& part : creature.parts)
-        part.handedness = -part.handedness;
+        part.mirror.across = -part.mirror.across;
     for (WiredSensor& sensor : creature.sensors)
-        sensor.handedness = -sensor.handedness;
+        sensor.mirror.across = -sensor.mirror.across;
     for (NetworkInput& output : creature.network.outputs)
         output.weight = -output.weight;
     return creature;

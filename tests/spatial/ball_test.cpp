@@ -419,13 +419,12 @@ TEST_CASE("Sensors tell the angles of a ball, their rates and efforts") {
     run_ticks(*scene, 8);
     const FakeSurroundings surroundings;
     const SensorRegistry sensors = spatial_sensors();
-    const auto read = [&](const std::string& id, int handedness, int depth_sign) {
+    const auto read = [&](const std::string& id, const Mirror& mirror) {
         double memory = 0.0;
         for (const SensorKind& kind : sensors.all()) {
             for (std::size_t channel = 0; channel < kind.channels.size(); ++channel) {
                 if (kind.channels[channel].id == id)
-                    return kind.read({*scene, surroundings, plan.parts[1], 1, channel, handedness,
-                                      1.0, depth_sign},
+                    return kind.read({*scene, surroundings, plan.parts[1], 1, channel, mirror, 1.0},
                                      memory);
             }
         }
@@ -438,11 +437,12 @@ TEST_CASE("Sensors tell the angles of a ball, their rates and efforts") {
         const double most = limits_of(plan.parts[1], d).max_effort;
         CHECK(std::fabs(scene->joint_rate(degree)) > 0.1);
         CHECK(std::fabs(scene->joint_effort(degree)) > 1e-3);
-        for (const int handedness : {1, -1}) {
-            for (const int depth_sign : {1, -1}) {
-                const int sign = turn_sign(2 - d, handedness, depth_sign);
+        for (const int across : {1, -1}) {
+            for (const int depth : {1, -1}) {
+                const Mirror mirror{across, depth};
+                const int sign = mirror.of_turn(2 - d);
                 const auto reading = [&](const char* id) {
-                    return sign * read(id + number, handedness, depth_sign);
+                    return sign * read(id + number, mirror);
                 };
                 CHECK(reading("joint") == scene->joint_coordinate(degree));
                 CHECK(reading("joint-rate") == Approx(scene->joint_rate(degree) / 6.0));

@@ -47,14 +47,14 @@ BodyPlan random_solid(RandomStream& random, int parts, double strength) {
         part.rest_pose.position = transform(part.rest_pose, -part.anchor_in_child);
         const JointKind& joint = joints[random.below(joints.size())];
         part.motion = joint.motion;
-        JointGenes genes{.limit_low = -random.uniform(0.4, 1.2),
-                         .limit_high = random.uniform(0.4, 1.2),
-                         .length = 2.0 * part.half_extents.x(),
-                         .width = 2.0 * std::fmin(part.half_extents.y(), from.half_extents.y()),
-                         .handedness = random.chance(0.5) ? 1 : -1,
-                         .muscle_strength = strength};
+        JointGenes genes{
+            .limit_low = -random.uniform(0.4, 1.2),
+            .limit_high = random.uniform(0.4, 1.2),
+            .length = 2.0 * part.half_extents.x(),
+            .width = 2.0 * std::fmin(part.half_extents.y(), from.half_extents.y()),
+            .mirror = {.across = random.chance(0.5) ? 1 : -1, .depth = random.chance(0.5) ? 1 : -1},
+            .muscle_strength = strength};
         genes.depth = 2.0 * std::fmin(part.half_extents.z(), from.half_extents.z());
-        genes.depth_sign = random.chance(0.5) ? 1 : -1;
         for (auto& limits : genes.further_limits)
             limits = {-random.uniform(0.4, 1.2), random.uniform(0.4, 1.2)};
         if (joint.shape != nullptr) joint.shape(genes, part);

@@ -24,7 +24,7 @@ std::string described_part(const Phenotype& phenotype, std::size_t part, const K
         {{"parent", std::to_string(planned.parent)},
          {"node", std::to_string(grown.node)},
          {"depth", std::to_string(grown.depth)},
-         {"mirrored", json_truth(grown.handedness < 0)},
+         {"mirrored", json_truth(grown.mirror.across < 0)},
          {"eye", json_truth(std::any_of(phenotype.sensors.begin(), phenotype.sensors.end(), sees))},
          {"half", json_list(half)}});
 }

@@ -203,7 +203,7 @@ Color skin_color(const BodyPart& part, double hue, std::uint64_t line) {
     constexpr double kGoldenShare = 0.6180339887498949;
     const double turned = 0.5 + kGoldenShare * part.node;
     const double place = turned - std::floor(turned) - 0.5;
-    const double depth = 0.015 * std::min(part.depth, 4) - (part.handedness < 0 ? 0.03 : 0.0);
+    const double depth = 0.015 * std::min(part.depth, 4) - (part.mirror.across < 0 ? 0.03 : 0.0);
     return color_of_hue(hue + kHueSpread * place,
                         lightness[line / kSkinPatterns % kLightnesses] + depth, 0.125);
 }

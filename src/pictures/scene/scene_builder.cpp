@@ -138,7 +138,7 @@ Color part_color(const BodyPart& part, double hue) {
     const double lightness = std::min(0.80, 0.66 + 0.03 * part.depth);
     constexpr double kHueSpread = 0.15;  // turns, of all gene nodes of a creature
     const double turned = hue + kHueSpread * hue_place(part.node);
-    return color_of_hue(turned, part.handedness < 0 ? lightness - 0.04 : lightness, 0.105);
+    return color_of_hue(turned, part.mirror.across < 0 ? lightness - 0.04 : lightness, 0.105);
 }
 
 void add_grid(SceneFrame& frame, const Palette& palette, const Camera& camera,

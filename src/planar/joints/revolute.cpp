@@ -7,7 +7,7 @@ namespace cambrian {
 namespace {
 
 void shape_revolute(const JointGenes& genes, PlannedPart& part) {
-    const bool mirrored = genes.handedness < 0;
+    const bool mirrored = genes.mirror.across < 0;
     part.limit_low = mirrored ? -genes.limit_high : genes.limit_low;
     part.limit_high = mirrored ? -genes.limit_low : genes.limit_high;
     part.max_effort = genes.muscle_strength * genes.width * genes.width;

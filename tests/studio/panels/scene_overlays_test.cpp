@@ -94,8 +94,9 @@ TEST_CASE("the readings of sensors are drawn at their parts", "[studio][overlays
         return static_cast<std::uint8_t>(kinds.index_of(id).value());
     };
     Phenotype sensing = playback.creature().phenotype();
-    sensing.sensors = {{.part = 1, .kind = kind("joint")},
-                       {.part = 0, .kind = kind("contact"), .channel = 1, .handedness = -1}};
+    sensing.sensors = {
+        {.part = 1, .kind = kind("joint")},
+        {.part = 0, .kind = kind("contact"), .channel = 1, .mirror = {.across = -1}}};
     const CreatureLook look{sensing, playback.creature().motion().poses(), {}, 0.3, {}};
     const Palette palette = palette_of(ThemeKind::kDark);
     SceneFrame frame;

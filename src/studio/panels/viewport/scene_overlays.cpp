@@ -61,7 +61,7 @@ void add_joint_reading(SceneFrame& frame, const OverlayScene& over, const JointP
 void add_lamp(SceneFrame& frame, const OverlayScene& over, std::size_t index) {
     const WiredSensor& sensor = over.creature.phenotype().sensors[index];
     const SensorKind& kind = over.kinds.sensors[sensor.kind];
-    const Vec3 share = kind.spot ? kind.spot(sensor.channel, sensor.handedness) : Vec3::Zero();
+    const Vec3 share = kind.spot ? kind.spot(sensor.channel, sensor.mirror.across) : Vec3::Zero();
     const Vec3 inside = share.cwiseProduct(
         shown_half_extents(over.look.phenotype.plan, over.look.stretches, sensor.part));
     const Vec2 at = drawn_point(transform(over.look.poses[sensor.part], inside));

@@ -286,7 +286,8 @@ void add_sensor_readings(SceneFrame& frame, const SpaceCamera& camera, const Ove
             add_dot(frame, camera, joint.pivot, 3.6, color);
             continue;
         }
-        const Vec3 share = kind.spot ? kind.spot(sensor.channel, sensor.handedness) : Vec3::Zero();
+        const Vec3 share =
+            kind.spot ? kind.spot(sensor.channel, sensor.mirror.across) : Vec3::Zero();
         const Vec3 at =
             transform(over.look.poses[sensor.part], share.cwiseProduct(part.half_extents));
         const double reading = over.creature.reading(i, over.scene, over.surroundings);
