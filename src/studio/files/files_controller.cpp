@@ -364,15 +364,7 @@ void FilesController::carry_out(const FilesRequest& request) {
 void FilesController::read_sample_folder() {
     services_.worker.submit(
         [this, folders = sample_folders_, services = services_](const std::stop_token&) {
-            std::vector<Sample> found;
-            for (const std::filesystem::path& folder : folders) {
-                for (Sample& sample : read_samples(folder, services.kinds, services.elsewhere))
-                    found.push_back(std::move(sample));
-            }
-            // Those that can take part in this world come first.
-            std::stable_partition(found.begin(), found.end(), [&](const Sample& sample) {
-                return sample.kinds == &services.kinds;
-            });
+            auto found = read_sample_folders(folders, services.kinds, services.elsewhere);
             return [this, found = std::move(found)] {
                 samples_.samples = found;
                 samples_.read = true;

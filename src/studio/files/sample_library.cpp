@@ -71,4 +71,17 @@ std::vector<Sample> read_samples(const std::filesystem::path& folder, const Evol
     return samples;
 }
 
+std::vector<Sample> read_sample_folders(const std::vector<std::filesystem::path>& folders,
+                                        const EvolutionKinds& kinds,
+                                        const EvolutionKinds* elsewhere) {
+    std::vector<Sample> found;
+    for (const std::filesystem::path& folder : folders) {
+        for (Sample& sample : read_samples(folder, kinds, elsewhere))
+            found.push_back(std::move(sample));
+    }
+    std::stable_partition(found.begin(), found.end(),
+                          [&](const Sample& sample) { return sample.kinds == &kinds; });
+    return found;
+}
+
 }  // namespace cambrian

@@ -38,5 +38,9 @@ struct SampleLibrary {
 // `kinds` need `elsewhere`.
 std::vector<Sample> read_samples(const std::filesystem::path& folder, const EvolutionKinds& kinds,
                                  const EvolutionKinds* elsewhere = nullptr);
+// Returns those of several folders; those that can take part in the world of `kinds` come first.
+std::vector<Sample> read_sample_folders(const std::vector<std::filesystem::path>& folders,
+                                        const EvolutionKinds& kinds,
+                                        const EvolutionKinds* elsewhere);
 
 }  // namespace cambrian
