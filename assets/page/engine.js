@@ -3,11 +3,21 @@
 
 const HEAD = 11, PART = 12, TICK = 1 / 60;  // numbers of a moment and of each part in it; s
 
-const bytesOf = text => Uint8Array.from(atob(text.trim()), c => c.charCodeAt(0));
+// The bytes of a dense text: 13 bits in two characters; the first four bytes are their number.
+function denseBytes(text) {
+  const digit = at => { const c = text.charCodeAt(at); return c - 33 - (c > 60) - (c > 92) - (c > 96); };
+  const bytes = new Uint8Array(text.length);
+  let held = 0, bits = 0, end = 0;
+  for (let i = 0; i + 1 < text.length; i += 2) {
+    held |= digit(i) + 91 * digit(i + 1) << bits;
+    for (bits += 13; bits >= 8; bits -= 8, held >>= 8) bytes[end++] = held;
+  }
+  return bytes.subarray(4, 4 + new DataView(bytes.buffer).getUint32(0, true));
+}
 
-// The bytes of a zlib stream in base64.
+// The bytes of a zlib stream in a dense text.
 async function unpacked(text) {
-  const stream = new Blob([bytesOf(text)]).stream().pipeThrough(new DecompressionStream('deflate'));
+  const stream = new Blob([denseBytes(text.trim())]).stream().pipeThrough(new DecompressionStream('deflate'));
   return new Response(stream).arrayBuffer();
 }
 
@@ -66,7 +76,8 @@ async function startEngine(module) {
 
 // A motion that was recorded at 20 Hz, where the engine does not run: the same moments without physics.
 function playRecorded(recorded, told) {
-  const raw = new Int16Array(bytesOf(recorded.data).buffer), count = told.parts.length, stride = 7 * count;
+  const raw = new Int16Array(denseBytes(recorded.data).slice().buffer), count = told.parts.length, space = told.dimensions === 3;
+  const each = space ? 7 : 4, stride = each * count;  // of a part: place, then attitude; in the plane only what is not 0
   const frames = Math.floor(raw.length / stride), row = new Float64Array(HEAD + PART * count);
   let ticks = 0;
   const show = () => {
@@ -77,15 +88,15 @@ function playRecorded(recorded, told) {
     let mass = 0;
     for (let k = 0; k < count; k++) {
       const value = j => {
-        const a = raw[first * stride + 7 * k + j], b = raw[(first + 1) * stride + 7 * k + j];
+        const a = raw[first * stride + each * k + j], b = raw[(first + 1) * stride + each * k + j];
         return a + share * (b - a);
       };
       const o = HEAD + PART * k, half = told.parts[k].half, own = half[0] * half[1] * (told.dimensions === 3 ? half[2] : 1);
-      for (let j = 0; j < 3; j++) {
+      for (let j = 0; j < (space ? 3 : 2); j++) {
         row[o + j] = value(j) * recorded.unit;
         row[j] += own * row[o + j];
       }
-      const turn = [3, 4, 5, 6].map(value), length = Math.hypot(...turn) || 1;
+      const turn = space ? [3, 4, 5, 6].map(value) : [value(2), 0, 0, value(3)], length = Math.hypot(...turn) || 1;
       turn.forEach((v, j) => { row[o + 3 + j] = v / length; });
       half.forEach((v, j) => { row[o + 7 + j] = v; });
       mass += own;

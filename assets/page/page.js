@@ -99,7 +99,7 @@ function fit() {
   if (!w || place && place.width === w) return;
   view.width = w;
   view.height = h;
-  place = placeFor(body.told, w, h, dark.matches);
+  place = placeFor(body.told, w, h);
   scale = w / (body.told.ground ? 5.4 : 5) / body.size * (body.space ? 1.5 : 1);
 }
 
@@ -268,6 +268,7 @@ function fall(error) {
   $('verdict').textContent = 'A recorded motion.';
   $('proof-text').textContent = `The engine does not run here: ${error.message || error}.`;
   $('hint').textContent = '';
+  $('strip').hidden = true;
 }
 
 // ---- the proof
@@ -524,7 +525,14 @@ $('save').onclick = () => {
   link.click();
 };
 $('evolve').onclick = () => evolving.workers.length ? stopEvolution() : startEvolution();
-dark.onchange = () => { place = null; if (page.course) drawCourse(); if (evolving.curve.length) drawCurves(); };
+dark.onchange = () => { if (page.course) drawCourse(); if (evolving.curve.length) drawCurves(); };
+
+// The creature that the address names, as in #Walker, or -1.
+function named() {
+  const name = decodeURIComponent(location.hash.slice(1)).toLowerCase();
+  return page.creatures.findIndex(made => made.label.toLowerCase() === name);
+}
+addEventListener('hashchange', () => { if (named() >= 0 && named() !== chosen) choose(named()); });
 
 function choose(number) {
   const made = page.creatures[number];
@@ -532,6 +540,8 @@ function choose(number) {
   [...$('gallery').children].forEach((button, i) => button.setAttribute('aria-pressed', i === number));
   show($(made.id).textContent, made.recorded);
   $('facts').textContent = made.facts;
+  if (!page.course) $('name').textContent = made.label;
+  if (page.creatures.length > 1 && location.hash !== '#recorded') history.replaceState(null, '', `#${encodeURIComponent(made.label)}`);
   if (module) prove();
   if (page.course) drawCourse();
 }
@@ -573,7 +583,10 @@ function fillGallery() {
       $('notice-text').textContent = new TextDecoder().decode(await unpacked($('licences').textContent));
     };
   }
-  if (page.creatures.length > 1) fillGallery();
+  if (page.creatures.length > 1) {
+    fillGallery();
+    if (named() > 0) choose(named());
+  }
   if (page.course) showCourse();
   if (module && page.evolve) {
     $('evolution').hidden = false;

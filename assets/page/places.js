@@ -80,9 +80,9 @@ const PITCH = 0.14;          // rad; of the camera in space
 const SPACE_HORIZON = 0.5 - 1.6 * Math.tan(PITCH);
 
 // Paints the place of a creature for a picture of this size.
-function placeFor(told, width, height, dark) {
+function placeFor(told, width, height) {
   const space = told.dimensions === 3, lift = space ? (SPACE_HORIZON - 0.8) * height : 0;
-  const kind = told.light && dark ? 'night' : told.ground ? 'meadow' : told.medium > 5 || told.gravity === 0 ? 'water' : 'air';
+  const kind = told.ground ? told.light ? 'night' : 'meadow' : told.medium > 5 || told.gravity === 0 ? 'water' : told.light ? 'night' : 'air';
   const layers = [], back = sheet(width, height), g = back.getContext('2d');
   const add = (picture, depth, y) => layers.push({ picture, depth, y });
   const skies = {

@@ -134,6 +134,30 @@ const wait = setInterval(() => {
                              "All 3 generations equal those of the program that made this page. "
                              "The same bits in your browser.", browser)
 
+    @unittest.skipUnless(shutil.which("chromium"), "needs a browser")
+    def test_an_address_names_one_of_several_creatures(self):
+        files = [CREATURES / f"{name}.creature.json" for name in ["walker", "manta", "frog"]]
+        html = self.page(*files)
+        wait = """const wait = setInterval(() => {
+  if (!body) return;
+  clearInterval(wait);
+  location.hash = '#Frog';
+  setTimeout(() => say(['frog', $('name').textContent, location.hash, body.parts.length].join()), 300);
+}, 20);"""
+        self.assertEqual(self.said_in("chromium", html, wait), "frog,Frog,#Frog,5")
+
+    def test_the_page_of_the_first_page_has_the_samples_as_they_are(self):
+        html = (ROOT / "assets/gallery/creatures.html").read_text()
+        self.assertLess(len(html), 1_000_000)
+        page = json.loads(re.search(r'id="page">(.*?)</script>', html, re.S)[1])
+        linked = re.findall(r"creatures\.html#(\w+)", (ROOT / "README.md").read_text())
+        self.assertEqual([creature["label"] for creature in page["creatures"]], linked)
+        self.assertEqual(len(linked), 12)
+        for creature in page["creatures"]:
+            inside = re.search(rf'id="{creature["id"]}">(.*?)</script>', html, re.S)[1]
+            sample = CREATURES / f'{creature["label"].lower()}.creature.json'
+            self.assertEqual(json.loads(inside), json.loads(sample.read_text()), sample)
+
     def test_what_no_page_can_show_is_refused(self):
         for arguments in [["page", "-o", "x.html"], ["page", "missing.json", "-o", "x.html"],
                           ["page", CREATURES / "walker.creature.json", "-o", "x.png"]]:
@@ -151,8 +175,8 @@ const wait = setInterval(() => {
         self.write("small.toml", SMALL)
         html = self.page("--evolve", "small.toml", "--seed", 7)
         self.assertGreater(len(re.search(r'id="engine">(.*?)</script>', html, re.S)[1]), 300000)
-        done = subprocess.run(["node", ROOT / "tests/page/engine_test.mjs", ENGINE,
-                               self.folder / "x.html", *sorted(CREATURES.glob("*.json"))],
+        done = subprocess.run(["node", ROOT / "tests/page/engine_test.mjs", self.folder / "x.html",
+                               *sorted(CREATURES.glob("*.json"))],
                               capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("3 generations evolved by 3 workers", done.stdout)

@@ -1,17 +1,17 @@
 // Runs the engine of pages under node: every sample creature gives the score, the digest and the
 // ticks of its file, and an evolution in one or three workers the digests that the program computed.
-//   node engine_test.mjs ENGINE.wasm PAGE.html CREATURE...
+//   node engine_test.mjs PAGE.html CREATURE...
 import fs from 'node:fs';
 import vm from 'node:vm';
 import { Worker } from 'node:worker_threads';
 
-const [, , wasm, page, ...creatures] = process.argv;
+const [, , page, ...creatures] = process.argv;
 const html = fs.readFileSync(page, 'utf8');
 const inside = id => html.match(new RegExp(`id="${id}"[^>]*>([^]*?)</script>`))[1];
 
 // The very script of the page.
-vm.runInThisContext(inside('engine-script') + '\n;globalThis.startEngine = startEngine;');
-const module = await WebAssembly.compile(fs.readFileSync(wasm));
+vm.runInThisContext(inside('engine-script') + '\n;globalThis.startEngine = startEngine; globalThis.compileEngine = compileEngine;');
+const module = await compileEngine(inside('engine'));
 let faults = 0;
 const check = (holds, words) => {
   if (holds) return;

@@ -5,7 +5,8 @@
 #include "app/process/long_work.h"
 #include "app/process/messages.h"
 #include "core/files/file_io.h"
-#include "genome/creature_name.h"
+#include "core/text/counted.h"
+#include "core/text/pretty_text.h"
 #include "persist/creature/page_document.h"
 #include "persist/page/run_page.h"
 
@@ -15,6 +16,18 @@
 #include <utility>
 
 namespace cambrian {
+namespace {
+
+constexpr std::size_t kMostPageCreatures = 24;
+
+// Of a creature without a name, that of its file.
+std::string label_of(const std::string& file, const Genome& genome) {
+    if (!genome.name.empty()) return genome.name;
+    const std::string name = std::filesystem::path(file).filename().string();
+    return capitalized(name.substr(0, name.find('.')));
+}
+
+}  // namespace
 
 // The installed engine lies beside the scripts, that of a build in the build's folder.
 PageParts page_parts() {
@@ -48,21 +61,30 @@ ExitStatus write_page(const PageContent& content, const std::filesystem::path& p
     return print_result_line(fmt::format("{}: {} kB", path.string(), page->size() / 1000));
 }
 
-ExitStatus make_page_of(const std::string& source, const std::string& out,
+ExitStatus make_page_of(const std::vector<std::string>& sources, const std::string& out,
                         const CommandFiles& files, const EvolutionKinds& kinds) {
     const auto path = output_path(out, "", files);
     if (!path) return fail(path.error());
-    if (is_experiment_name(source)) {
+    if (sources.size() == 1 && is_experiment_name(sources.front())) {
         LongWork work;
         work.begin("computing champions", static_cast<double>(kPageChampions), "creatures");
-        const Result<PageContent> content = content_of_run(source, kinds, work.watch());
+        const Result<PageContent> content = content_of_run(sources.front(), kinds, work.watch());
         return content ? write_page(*content, *path, kinds) : fail(content.error());
     }
-    Result<CreatureDocument> document = load_creature(source, kinds);
-    if (!document) return fail(document.error());
-    say_of(source, document->warnings);
-    const std::string name = creature_name(document->genome());
-    return write_page(content_of_creature(*std::move(document), name), *path, kinds);
+    if (sources.size() > kMostPageCreatures)
+        return fail({fmt::format("{} creatures; a page has at most {}", sources.size(),
+                                 kMostPageCreatures)});
+    PageContent content;
+    for (const std::string& source : sources) {
+        Result<CreatureDocument> document = load_creature(source, kinds);
+        if (!document) return fail(document.error());
+        say_of(source, document->warnings);
+        const std::string label = label_of(source, document->genome());
+        content.creatures.push_back({.document = *std::move(document), .label = label});
+    }
+    content.title =
+        sources.size() == 1 ? content.creatures.front().label : counted(sources.size(), "creature");
+    return write_page(content, *path, kinds);
 }
 
 }  // namespace cambrian

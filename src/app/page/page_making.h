@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace cambrian {
 
@@ -21,9 +22,9 @@ bool is_page_name(const std::filesystem::path& path);
 ExitStatus write_page(const PageContent& content, const std::filesystem::path& path,
                       const EvolutionKinds& kinds);
 
-// Does so with the creature of a file or, if that is an experiment, with its champions. `files` are
-// those of the command.
-ExitStatus make_page_of(const std::string& source, const std::string& out,
+// Does so with the creatures of files or, if the only one is an experiment, with its champions.
+// `files` are those of the command.
+ExitStatus make_page_of(const std::vector<std::string>& sources, const std::string& out,
                         const CommandFiles& files, const EvolutionKinds& kinds);
 
 }  // namespace cambrian

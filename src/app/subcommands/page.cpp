@@ -16,6 +16,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace cambrian {
 namespace {
@@ -25,15 +26,16 @@ constexpr int kCheckedGenerations = 3;  // whose digests a page of an evolution 
 class PageSubcommand final : public Subcommand {
 public:
     void add_options(CLI::App& app) override {
-        auto* creature = app.add_option("creature", creature_,
-                                        "Creature file (*.creature.json), card (*.card.png) or "
-                                        "experiment (*.cambrian), whose champions are shown")
-                             ->type_name(option_type::kCreatureOrExperiment);
+        auto* creatures =
+            app.add_option("creatures", creatures_,
+                           "Creature files (*.creature.json) or cards (*.card.png), at most 24, or "
+                           "an experiment (*.cambrian), whose champions are shown")
+                ->type_name(option_type::kCreatureOrExperiment);
         auto* evolve =
             app.add_option("--evolve", settings_,
                            "Settings file (*.toml) of an evolution that runs in the page")
                 ->type_name(option_type::kSettings)
-                ->excludes(creature);
+                ->excludes(creatures);
         take_whole(*app.add_option("--seed", seed_, "Seed of that evolution")->needs(evolve), 0,
                    1'000'000'000);
         app.add_option("-o,--out", out_, "Page to write (*.html)")
@@ -41,13 +43,16 @@ public:
             ->required();
     }
     CommandFiles files() const override {
-        return CommandFiles().reads(creature_).reads(settings_).writes(out_, output_form::kPage);
+        CommandFiles files;
+        for (const std::string& creature : creatures_)
+            files.reads(creature);
+        return files.reads(settings_).writes(out_, output_form::kPage);
     }
     bool works_in_space() const override { return true; }
     ExitStatus run(const EvolutionKinds& kinds) override {
-        if (creature_.empty() && settings_.empty())
+        if (creatures_.empty() && settings_.empty())
             return fail({"expected a creature, an experiment or --evolve SETTINGS.toml"});
-        if (settings_.empty()) return make_page_of(creature_, out_, files(), kinds);
+        if (settings_.empty()) return make_page_of(creatures_, out_, files(), kinds);
         const auto path = output_path(out_, "", files());
         if (!path) return fail(path.error());
         LongWork work;
@@ -80,7 +85,7 @@ private:
         return content;
     }
 
-    std::string creature_;
+    std::vector<std::string> creatures_;
     std::string settings_;
     std::string out_;
     std::optional<std::uint64_t> seed_;

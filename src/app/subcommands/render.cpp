@@ -241,7 +241,7 @@ private:
     ExitStatus render_page(const EvolutionKinds& kinds) {
         if (has_options_of_drawings(options_))
             return fail({options_.out + ": a page (*.html) takes no other options"});
-        return make_page_of(options_.creature, options_.out, files(), kinds);
+        return make_page_of({options_.creature}, options_.out, files(), kinds);
     }
 
     ExitStatus render_preserve(const Product& product, const EvolutionKinds& kinds) {

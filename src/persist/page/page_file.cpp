@@ -26,16 +26,21 @@ namespace cambrian {
 namespace {
 
 constexpr std::size_t kMaxPart = 16'000'000;  // bytes of a part of a page
+constexpr int kPackedLevel = 10;              // of the compression; a tenth of a second
 constexpr std::uint64_t kTicksAFrame = 3;     // of a recorded motion
-constexpr std::uint64_t kMostTicks = 7'200;   // that are recorded
+constexpr std::uint64_t kMostTicks = 1'200;   // that are recorded
 constexpr double kRecordedRange = 32'000.0;   // of the numbers of a recorded motion
 constexpr double kTravelled = 0.3;            // m; creatures that move less have no direction
 constexpr std::size_t kMostCourse = 400;      // generations of a course that are drawn
 
 // The motion of a trial at 20 Hz: places and attitudes of all parts.
 struct Recording {
-    std::vector<double> numbers;  // seven for each part in each frame
-    double farthest = 1.0;        // m
+    // For each part in each frame its place and attitude, 3 and 4 numbers; in the plane only 2 and
+    // 2, since the others are 0.
+    std::vector<double> numbers;
+    std::size_t places = 3;
+    std::size_t turns = 4;
+    double farthest = 1.0;  // m
     Vec3 travelled = Vec3::Zero();
 };
 
@@ -46,17 +51,19 @@ Result<Recording> record(const CreatureDocument& document,
     const PhysicsScene& scene = (*trial)->scene();
     const Vec3 start = scene.center_of_mass();
     Recording made;
+    if (document.settings().world.environment.dimensions == 2) made.places = made.turns = 2;
     for (bool more = true; more && (*trial)->ticks() < kMostTicks; more = (*trial)->tick()) {
         if ((*trial)->ticks() % kTicksAFrame != 0) continue;
         for (std::size_t part = 0; part < phenotype->parts.size(); ++part) {
             const Pose pose = scene.part_pose(part);
-            for (const double place : pose.position) {
+            for (std::size_t axis = 0; axis < made.places; ++axis) {
+                const double place = pose.position[static_cast<Eigen::Index>(axis)];
                 made.numbers.push_back(place);
                 made.farthest = std::max(made.farthest, std::abs(place));
             }
             made.numbers.push_back(pose.orientation.w());
-            for (const double turn : pose.orientation.vec())
-                made.numbers.push_back(turn);
+            for (std::size_t axis = 4 - made.turns; axis < 3; ++axis)
+                made.numbers.push_back(pose.orientation.vec()[static_cast<Eigen::Index>(axis)]);
         }
     }
     made.travelled = scene.center_of_mass() - start;
@@ -67,7 +74,10 @@ std::string little_endian(const Recording& recording, double unit) {
     std::string bytes;
     bytes.reserve(2 * recording.numbers.size());
     for (std::size_t i = 0; i < recording.numbers.size(); ++i) {
-        const double scaled = recording.numbers[i] * (i % 7 < 3 ? 1.0 / unit : kRecordedRange);
+        const double scaled =
+            recording.numbers[i] * (i % (recording.places + recording.turns) < recording.places
+                                        ? 1.0 / unit
+                                        : kRecordedRange);
         const auto number = static_cast<std::uint16_t>(static_cast<std::int16_t>(
             std::clamp(std::round(scaled), -kRecordedRange, kRecordedRange)));
         bytes += static_cast<char>(number & 0xffU);
@@ -116,7 +126,7 @@ Result<PlacedCreature> place(const PageCreature& creature, std::size_t number,
         {{"unit", real_text(unit)},
          {"way", way_of(recording->travelled, document.settings().world.environment.has_ground)},
          {"told", described_creature(document, *phenotype, kinds)},
-         {"data", quoted_text(base64(little_endian(*recording, unit)))}});
+         {"data", quoted_text(dense_text(little_endian(*recording, unit)))}});
     placed.entry = json_object(
         {{"id", quoted_text(placed.id)},
          {"label", quoted_text(creature.label)},
@@ -191,8 +201,8 @@ Result<std::string> packed(const std::filesystem::path& path) {
     if (path.empty() || !std::filesystem::exists(path, missing)) return std::string();
     const Result<std::string> bytes = read_file(path, kMaxPart);
     if (!bytes) return bytes.error();
-    Deflater deflater;
-    return base64(deflater.deflate(*bytes));
+    Deflater deflater(kPackedLevel);
+    return dense_text(deflater.deflate(*bytes));
 }
 
 }  // namespace

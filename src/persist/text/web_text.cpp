@@ -37,6 +37,39 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
+std::string dense_text(std::string_view bytes) {
+    constexpr std::uint32_t kSymbols = 91;
+    constexpr int kBitsOfPair = 13;
+    // The characters from '!', without '<', '\\' and '`'.
+    const auto symbol = [](std::uint32_t value) {
+        auto code = static_cast<char>('!' + value);
+        for (const char left_out : {'<', '\\', '`'})
+            if (code >= left_out) ++code;
+        return code;
+    };
+    std::string text;
+    text.reserve(bytes.size() * 16 / kBitsOfPair + 16);
+    std::uint32_t held = 0;
+    int bits = 0;
+    const auto put = [&](std::uint32_t byte) {
+        held |= byte << bits;
+        bits += 8;
+        if (bits < kBitsOfPair) return;
+        const std::uint32_t pair = held & ((1U << kBitsOfPair) - 1U);
+        text += symbol(pair % kSymbols);
+        text += symbol(pair / kSymbols);
+        held >>= kBitsOfPair;
+        bits -= kBitsOfPair;
+    };
+    for (int i = 0; i < 4; ++i)
+        put(static_cast<std::uint32_t>(bytes.size() >> (8 * i)) & 0xffU);
+    for (const char byte : bytes)
+        put(static_cast<unsigned char>(byte));
+    for (int i = 0; i < 2; ++i)  // fill the last pair
+        put(0);
+    return text;
+}
+
 std::string html_text(std::string_view text) {
     return escaped(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
 }
