@@ -150,7 +150,7 @@ TEST_CASE("settings of an accurate computation travel", "[cluster]") {
             for (const int trials : {1, 16}) {
                 settings.world.trial.trials = trials;
                 const ExperimentSettings accurate = accurate_settings(settings, kinds());
-                CHECK(accurate.world.scene.max_evaluations > 4e5);
+                CHECK(accurate.world.scene.max_evaluations > 3e5);
                 const Result<JudgingSettings> judging = judging_settings(accurate, kinds());
                 CAPTURE(goal.id, contact_step, trials);
                 REQUIRE(judging);
