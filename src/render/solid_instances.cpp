@@ -92,9 +92,8 @@ std::vector<SolidInstance> instances_of(const SpaceFrame& frame, const ShadingBo
         std::stable_sort(neighbours.begin(), neighbours.end(),
                          [](const Neighbour& a, const Neighbour& b) { return a.away < b.away; });
         for (std::size_t k = 0; k < kBesideSolid; ++k)
-            instance.beside[k] = k < std::min(neighbours.size(), frame.shading)
-                                     ? static_cast<float>(neighbours[k].box)
-                                     : -1.0F;
+            instance.beside[k] =
+                k < neighbours.size() ? static_cast<float>(neighbours[k].box) : -1.0F;
         instances.push_back(instance);
     }
     return instances;

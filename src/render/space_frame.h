@@ -9,7 +9,6 @@
 #include "render/space_camera.h"
 
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -68,9 +67,8 @@ struct SpaceFrame {
     std::optional<SpaceFloor> floor;
     std::vector<Solid> solids;
     std::vector<SpaceMark> marks;
-    double outline = 1.3;     // pixels
-    std::size_t shading = 8;  // neighbours at most of a solid that may shade it, up to 8
-    float ink = 0.28F;        // factor of the fill that gives the outline
+    double outline = 1.3;  // pixels
+    float ink = 0.28F;     // factor of the fill that gives the outline
     // Pixels that are drawn for one of the picture, each way: 1, with edges smoothed afterwards, or
     // 2, which looks better and takes four times as long.
     int samples = 1;

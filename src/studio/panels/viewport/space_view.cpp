@@ -17,7 +17,6 @@ constexpr double kRiseShare = 0.3;      // of that speed, with which it follows 
 constexpr double kMostBehind = 0.30;    // of the view's height, by which it stays behind
 constexpr double kFitBodyShare = 0.46;  // of the view, filled by a body that is fit into it
 constexpr double kTrailPixels = 2.2;
-constexpr std::size_t kLightShading = 3;  // neighbours that shade a part in light scenery
 
 Vec2 mouse_in(const SceneCanvas& canvas) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -153,10 +152,7 @@ void SpaceView::build_scene(const FrameContext& frame, SceneCanvas& canvas) cons
     look_of_world.grid = plain ? frame.view.overlays.grid : frame.view.overlays.ruler;
     look_of_world.time = playback.trial().time();
     use_space(*space, environment, look_of_world);
-    if (frame.window.scenery == Scenery::kLight) {
-        space->shading = kLightShading;
-        if (space->floor) space->floor->ripples = 0.0F;
-    }
+    if (frame.window.scenery == Scenery::kLight && space->floor) space->floor->ripples = 0.0F;
 
     std::vector<FaceSet> touched;
     if (frame.view.overlays.contacts) touched = touched_faces(playback.trial().scene());
