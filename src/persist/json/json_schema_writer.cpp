@@ -37,7 +37,7 @@ Json number_schema(const FieldRule& rule) {
         {"type", "number"}, {"minimum", bound(rule.low)}, {"exclusiveMaximum", bound(rule.high)}};
 }
 
-std::string with_unit(const std::string& meaning, std::string_view unit) {
+std::string meaning_with_unit(const std::string& meaning, std::string_view unit) {
     return unit.empty() ? meaning : fmt::format("{} Unit: {}.", meaning, unit);
 }
 
@@ -118,7 +118,8 @@ void JsonSchemaWriter::fix_count(const char* key, std::size_t count) {
 
 void JsonSchemaWriter::real(const char* key, double /*value*/, const FieldRule& rule) {
     const std::string meaning = *rule.help != '\0' ? rule.help : library_.meaning(type_, key);
-    put_described(key, with_unit(meaning, rule.unit), number_schema(rule), take_optional(key));
+    put_described(key, meaning_with_unit(meaning, rule.unit), number_schema(rule),
+                  take_optional(key));
 }
 
 void JsonSchemaWriter::plain_real(const char* key, double /*value*/) {
@@ -132,7 +133,8 @@ void JsonSchemaWriter::pair(const char* key, double /*first*/, const FieldRule& 
         {"prefixItems", Json::array({number_schema(first_rule), number_schema(second_rule)})},
         {"minItems", 2},
         {"maxItems", 2}};
-    put_described(key, with_unit(first_rule.help, first_rule.unit), schema, take_optional(key));
+    put_described(key, meaning_with_unit(first_rule.help, first_rule.unit), schema,
+                  take_optional(key));
 }
 
 void JsonSchemaWriter::flag(const char* key, bool /*value*/) {
@@ -182,7 +184,7 @@ void JsonSchemaWriter::setting(const SettingField& field, ExperimentSettings& se
             }
         },
         field.at(settings));
-    put_described(field.key.c_str(), with_unit(field.help, field.unit), schema, true);
+    put_described(field.key.c_str(), meaning_with_unit(field.help, field.unit), schema, true);
 }
 
 }  // namespace cambrian

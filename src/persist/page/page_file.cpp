@@ -86,7 +86,7 @@ std::string little_endian(const Recording& recording, double unit) {
     return bytes;
 }
 
-std::string way_of(const Vec3& travelled, bool ground) {
+std::string written_way(const Vec3& travelled, bool ground) {
     const double length = std::hypot(travelled.x(), travelled.y());
     if (length < kTravelled) return "[1, 0]";
     if (ground) return travelled.x() < 0.0 ? "[-1, 0]" : "[1, 0]";
@@ -122,11 +122,12 @@ Result<PlacedCreature> place(const PageCreature& creature, std::size_t number,
     placed.element = fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n",
                                  placed.id, script_json(write_creature(document, kinds)));
     placed.facts = facts_of(document, phenotype->parts.size());
-    const std::string recorded = json_object(
-        {{"unit", real_text(unit)},
-         {"way", way_of(recording->travelled, document.settings().world.environment.has_ground)},
-         {"told", described_creature(document, *phenotype, kinds)},
-         {"data", quoted_text(dense_text(little_endian(*recording, unit)))}});
+    const std::string recorded =
+        json_object({{"unit", real_text(unit)},
+                     {"way", written_way(recording->travelled,
+                                         document.settings().world.environment.has_ground)},
+                     {"told", described_creature(document, *phenotype, kinds)},
+                     {"data", quoted_text(dense_text(little_endian(*recording, unit)))}});
     placed.entry = json_object(
         {{"id", quoted_text(placed.id)},
          {"label", quoted_text(creature.label)},

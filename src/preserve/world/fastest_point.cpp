@@ -6,7 +6,7 @@
 namespace cambrian {
 namespace {
 
-constexpr double kMostSpeed = 200.0;  // m/s
+constexpr double kFastestPoint = 200.0;  // m/s
 
 }  // namespace
 
@@ -18,7 +18,7 @@ double fastest_point(const BodyView& body) {
         const double speed = twist.linear.norm() + spin * body.part_half_extents(i).norm();
         fastest = std::max(fastest, speed);
     }
-    return std::min(kMostSpeed, fastest);
+    return std::min(kFastestPoint, fastest);
 }
 
 }  // namespace cambrian

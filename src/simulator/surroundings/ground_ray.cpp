@@ -34,14 +34,17 @@ double distance_to_piece(const GroundPiece& piece, const Vec3& from, const Vec3&
     const double distance = (dx * piece.normal_x + dy * piece.normal_y) / towards;
     const double along = (distance * direction.x() - dx) * piece.way_x +
                          (distance * direction.y() - dy) * piece.way_y;
-    return distance >= 0.0 && along >= 0.0 && along <= piece.length ? distance : kNever;
+    const bool meets = distance >= 0.0 && along >= 0.0 && along <= piece.length;
+    if (!meets) return kNever;
+    return distance;
 }
 
 }  // namespace
 
 double distance_to_level_ground(const Vec3& from, const Vec3& direction) {
     if (from.y() <= 0.0) return 0.0;
-    return direction.y() < 0.0 ? from.y() / -direction.y() : kNever;
+    if (direction.y() >= 0.0) return kNever;
+    return from.y() / -direction.y();
 }
 
 double distance_to_box(const FixedBox& box, const Vec3& from, const Vec3& direction) {
@@ -50,7 +53,8 @@ double distance_to_box(const FixedBox& box, const Vec3& from, const Vec3& direct
     RaySpan span;
     span.cut(start.dot(box.axis), direction.dot(box.axis), box.half_length);
     span.cut(start.dot(across), direction.dot(across), box.half_width);
-    return span.enters <= span.leaves ? span.enters : kNever;
+    if (span.enters > span.leaves) return kNever;
+    return span.enters;
 }
 
 double distance_to_terrain(const Terrain& terrain, const Vec3& from, const Vec3& direction,
@@ -62,7 +66,8 @@ double distance_to_terrain(const Terrain& terrain, const Vec3& from, const Vec3&
     double nearest = kNever;
     for (int number = first; number <= last; ++number)
         nearest = std::min(nearest, distance_to_piece(terrain.piece(number), from, direction));
-    return nearest <= reach ? nearest : kNever;
+    if (nearest > reach) return kNever;
+    return nearest;
 }
 
 }  // namespace cambrian

@@ -106,9 +106,9 @@ void draw_shown_actions(const FrameContext& frame, const ImVec2& at, Requests& o
 
 void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& out) {
     const bool draws = frame.viewer.ground_pen || frame.may_draw_ground();
-    const float width = frame.window.viewer_only
-                            ? px(30)
-                            : px(30) * (draws ? 3 : 2) + px(24) + px(4) * (draws ? 3 : 2);
+    const float buttons = draws ? 3.0F : 2.0F;
+    const float width =
+        frame.window.viewer_only ? px(30) : px(30) * buttons + px(24) + px(4) * buttons;
     const ImVec2 at = {area.x + area.width - width - px(10), area.y + px(10)};
     // A plate, so that they are seen before any sky.
     ImGui::GetWindowDrawList()->AddRectFilled({at.x - px(4), at.y - px(2)},
