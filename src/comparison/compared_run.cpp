@@ -48,9 +48,8 @@ double accurate_score(const GenomePtr& genome, const ExperimentSettings& setting
 
 double jump_height(const GenomePtr& genome, const ExperimentSettings& settings,
                    const EvolutionKinds& kinds) {
-    const auto phenotype = std::make_shared<const Phenotype>(
-        express(*genome, kinds.creature, settings.expression, settings.world.scene));
-    const auto record = run_trial(phenotype, kinds.creature, first_trial_world(settings));
+    const auto record =
+        run_trial(grow(*genome, settings, kinds), kinds.creature, first_trial_world(settings));
     const double gravity = settings.world.environment.gravity;
     if (!record || !(gravity > 0.0)) return 0.0;
     const double speed = std::max(0.0, record->jumps.best().take_off_speed);

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <utility>
 
 namespace cambrian {
@@ -62,15 +61,6 @@ Marks marks_of(const TrialRecord& record, const GoalKind& goal, const TrialSetti
     const double shaking = record.reversal_rate / trial.max_reversal_rate;
     if (shaking > 1.0) marks.scale_down(shaking);
     return marks;
-}
-
-std::shared_ptr<const Phenotype> grow(const Genome& genome, const ExperimentSettings& settings,
-                                      const EvolutionKinds& kinds,
-                                      std::span<const Lesion> lesions = {}) {
-    Phenotype phenotype =
-        express(genome, kinds.creature, settings.expression, settings.world.scene);
-    inflict(lesions, phenotype);
-    return std::make_shared<const Phenotype>(std::move(phenotype));
 }
 
 const GoalKind& goal_of(const ExperimentSettings& settings, const EvolutionKinds& kinds) {
@@ -165,6 +155,15 @@ JudgedTrial judge_trial(const EvaluationRequest& request, const ExperimentSettin
     if (!std::isfinite(result.fitness))
         fail(result, goal, Outcome::kDiverged, "the score is not finite");
     return judged;
+}
+
+std::shared_ptr<const Phenotype> grow(const Genome& genome, const ExperimentSettings& settings,
+                                      const EvolutionKinds& kinds,
+                                      std::span<const Lesion> lesions) {
+    Phenotype phenotype =
+        express(genome, kinds.creature, settings.expression, settings.world.scene);
+    inflict(lesions, phenotype);
+    return std::make_shared<const Phenotype>(std::move(phenotype));
 }
 
 PhenotypeHashes hashes_of(const Genome& genome, const ExperimentSettings& settings,

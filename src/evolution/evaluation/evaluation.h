@@ -11,7 +11,9 @@
 #include "simulator/tick_checks.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -27,6 +29,11 @@ struct EvaluationRequest {
     std::optional<Probe> probe = std::nullopt;  // world that replaces the settings' one
     std::vector<Lesion> lesions = {};           // inflicted on the grown creature
 };
+
+// Returns the creature that a genome becomes, with these lesions.
+std::shared_ptr<const Phenotype> grow(const Genome& genome, const ExperimentSettings& settings,
+                                      const EvolutionKinds& kinds,
+                                      std::span<const Lesion> lesions = {});
 
 // Runs one trial: it expresses, simulates and scores. It never throws; failures are outcomes. A
 // long trial that is asked to stop ends with the outcome kInterrupted.

@@ -119,8 +119,7 @@ std::vector<Probe> lesion_probes(const ExperimentSettings& settings, int worlds)
 std::optional<LesionTable> lesion_table(const LesionStudy& study, const EvolutionKinds& kinds,
                                         EvaluationBackend& backend, EvaluationProgress& progress,
                                         const std::stop_token& stop) {
-    const auto body = std::make_shared<const Phenotype>(express(
-        *study.genome, kinds.creature, study.settings.expression, study.settings.world.scene));
+    const auto body = grow(*study.genome, study.settings, kinds);
     Laboratory laboratory(study, backend, progress, stop);
     auto rows = laboratory.measure(cases_of(body, study, kinds, stop));
     if (!rows) return std::nullopt;

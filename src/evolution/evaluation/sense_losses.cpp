@@ -122,12 +122,6 @@ std::vector<Readings> readings_of(const std::shared_ptr<const Phenotype>& body,
     return readings;
 }
 
-std::shared_ptr<const Phenotype> body_of(const Genome& genome, const ExperimentSettings& settings,
-                                         const EvolutionKinds& kinds) {
-    return std::make_shared<const Phenotype>(
-        express(genome, kinds.creature, settings.expression, settings.world.scene));
-}
-
 }  // namespace
 
 std::vector<SenseConstants> sense_constants(const std::shared_ptr<const Phenotype>& body,
@@ -143,7 +137,7 @@ std::vector<SenseConstants> sense_constants(const std::shared_ptr<const Phenotyp
 SenseLosses sense_losses(const GenomePtr& genome, const ExperimentSettings& settings,
                          const EvolutionKinds& kinds, const std::stop_token& stop,
                          const std::function<void(double)>& note) {
-    const auto body = body_of(*genome, settings, kinds);
+    const auto body = grow(*genome, settings, kinds);
     const std::size_t sensors = body->sensors.size();
     const double all = 1.0 + 5.0 + 12.0 * static_cast<double>(sensors);  // scores
     const std::function<void(int)> count = [&](int scores) {
@@ -169,7 +163,7 @@ SenseLosses sense_losses(const GenomePtr& genome, const ExperimentSettings& sett
 
 bool needs_senses(const GenomePtr& genome, const ExperimentSettings& settings,
                   const EvolutionKinds& kinds, const std::stop_token& stop) {
-    const auto body = body_of(*genome, settings, kinds);
+    const auto body = grow(*genome, settings, kinds);
     if (body->sensors.empty()) return false;
     Search search(genome, settings, kinds, stop);
     const double enough = kNeededShare * search.score({});
