@@ -1,5 +1,6 @@
-// Fuzzes settings files, of experiments and of preserves: the reader gives settings that pass their
-// check, or a message. Loaded settings are written and read again without change.
+// Fuzzes settings files, of experiments in the plane and in space and of preserves: the reader
+// gives settings that pass their check, or a message. Loaded settings are written and read again
+// without change.
 
 #include "evolution/fields/setting_field.h"
 #include "fuzz/fuzz_target.h"
@@ -12,18 +13,19 @@ using namespace cambrian::test;
 namespace {
 
 void read_as(SettingsUse use, std::string_view input) {
-    const auto settings = parse_settings(input, "input", kinds(), use);
+    const EvolutionKinds& all = dimensions_of_settings(input) == 3 ? spatial_kinds() : kinds();
+    const auto settings = parse_settings(input, "input", all, use);
     if (!settings) {
         promise(settings.error().message.starts_with("input: "), "a refusal names the file");
         return;
     }
-    const Status check = use == SettingsUse::kPreserve ? check_preserve(*settings, kinds())
-                                                       : check_settings(*settings, kinds());
+    const Status check = use == SettingsUse::kPreserve ? check_preserve(*settings, all)
+                                                       : check_settings(*settings, all);
     promise(check.has_value(), "what is loaded passes its check");
-    const std::string text = write_settings(*settings, kinds(), use);
-    const auto again = parse_settings(text, "again", kinds(), use);
+    const std::string text = write_settings(*settings, all, use);
+    const auto again = parse_settings(text, "again", all, use);
     promise(again.has_value(), "what is written can be read");
-    promise(write_settings(*again, kinds(), use) == text, "writing again gives the same bytes");
+    promise(write_settings(*again, all, use) == text, "writing again gives the same bytes");
 }
 
 }  // namespace
