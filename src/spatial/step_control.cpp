@@ -281,18 +281,21 @@ void StepControl::note_impacts(Tick& tick) {
 bool StepControl::must_halve(const Tick& tick, double h) {
     work_ = rows_.work(tick.model, tick.state.motion, tick.state.evaluation->kinematics,
                        result_.end, end_->kinematics, h);
-    if (h <= step_policy::kHalvingStep) return false;
+    const double overrun = limit_overrun(tick.model, result_.end);
+    const bool leaves_stop =
+        overrun > step_policy::kMaxOverrun &&
+        overrun > limit_overrun(tick.model, tick.state.motion) + step_policy::kOverrunGrowth;
+    // Without rows no stop holds, so that even a short step may leave one far behind.
+    if (h <= step_policy::kHalvingStep)
+        return tick.underflows >= step_policy::kMaxUnderflows && leaves_stop;
     const double weight = tick.model.mass * kEarthGravity;
     if (step_policy::gives_energy(work_.positive, result_.error, weight,
                                   [&] { return unexplained_gain(tick); }))
         return true;
     const double swing = swing_overrun(tick.model, result_.end);
-    if (swing > kMaxSwingOverrun &&
-        swing > swing_overrun(tick.model, tick.state.motion) + kSwingOverrunGrowth)
-        return true;
-    const double overrun = limit_overrun(tick.model, result_.end);
-    return overrun > step_policy::kMaxOverrun &&
-           overrun > limit_overrun(tick.model, tick.state.motion) + step_policy::kOverrunGrowth;
+    return leaves_stop ||
+           (swing > kMaxSwingOverrun &&
+            swing > swing_overrun(tick.model, tick.state.motion) + kSwingOverrunGrowth);
 }
 
 // Returns the energy that the attempted step adds without work, in J.
