@@ -8,6 +8,7 @@
 #include "planar/integrators/builtin_integrators.h"
 #include "planar/planar_scene.h"
 #include "simulator/audit.h"
+#include "spatial/bodies.h"
 #include "support/body_plans.h"
 
 #include <CLI/CLI.hpp>
@@ -36,6 +37,9 @@ constexpr double kFastest = 6.0;             // Hz, greatest frequency of the ta
 constexpr double kPoseStrength = 20.0;       // N, motor strength while holding a pose
 constexpr double kAtRest = 1e-3;             // m/s, speed below which a body is at rest
 constexpr std::uint64_t kSwimEvery = 4;      // every so many creatures, one is in water
+constexpr std::uint64_t kFloatEvery = 4;     // and in space another one floats
+constexpr double kGentlestFlesh = 25e3;      // N/m^2, least strength of muscles in space
+constexpr double kStrongestFlesh = 100e3;    // N/m^2, greatest
 constexpr std::size_t kStragglersShown = 8;  // creatures listed per size that did not come to rest
 
 struct Options {
@@ -45,6 +49,7 @@ struct Options {
     std::size_t threads = ThreadPool::default_workers();
     std::string csv_path;
     bool pose = false;
+    bool space = false;
     double deformable = 0.0;                   // share of the parts that deform
     std::vector<int> bodies = {3, 6, 12, 24};  // numbers of bodies for holding a pose
     double pose_seconds = 20.0;
@@ -57,19 +62,26 @@ std::string row_text(const char* format, auto... values) {
     return text;
 }
 
-SceneSettings finer_than(const SceneSettings& settings) {
-    return finer_settings(settings, planar_scene_kind());
-}
-
 // --- violent motion -------------------------------------------------------------------------
 
 struct Challenge {
     BodyPlan plan;
     Environment environment;
-    double strength = 0.0;   // N
+    double strength = 0.0;   // N, in space N/m^2
     double frequency = 0.0;  // Hz
-    bool swims = false;
+    std::string world;       // "walk", "swim" or "float"
+
+    SceneKind scene_kind() const {
+        return environment.dimensions == 3 ? spatial_scene_kind() : planar_scene_kind();
+    }
 };
+
+void draw_surface(Environment& environment, RandomStream& random) {
+    constexpr std::array kFrictions = {0.0, 0.4, 0.8, 1.2};
+    constexpr std::array kElasticities = {0.0, 0.3, 0.6};
+    environment.friction = kFrictions[random.below(kFrictions.size())];
+    environment.elasticity = kElasticities[random.below(kElasticities.size())];
+}
 
 // Makes each part deformable with this probability while there is room: each takes the place of
 // another body.
@@ -83,19 +95,36 @@ void deform_parts(BodyPlan& plan, double share, RandomStream& random) {
 }
 
 Challenge challenge_of(std::uint64_t seed, double deformable) {
-    constexpr std::array kFrictions = {0.0, 0.4, 0.8, 1.2};
-    constexpr std::array kElasticities = {0.0, 0.3, 0.6};
     RandomStream random(stream_seed({seed, 91}));
     Challenge challenge;
     const int bodies = random.between(kLeastBodies, kMostBodies);
     challenge.strength = random.uniform(kGentlest, kMostViolent);
     challenge.frequency = random.uniform(kSlowest, kFastest);
     challenge.plan = random_tree(random, bodies, kLinearShare, challenge.strength, 0.0);
-    challenge.swims = seed % kSwimEvery == 0;
-    if (challenge.swims) challenge.environment = open_water();
-    challenge.environment.friction = kFrictions[random.below(kFrictions.size())];
-    challenge.environment.elasticity = kElasticities[random.below(kElasticities.size())];
+    const bool swims = seed % kSwimEvery == 0;
+    challenge.world = swims ? "swim" : "walk";
+    if (swims) challenge.environment = open_water();
+    draw_surface(challenge.environment, random);
     if (deformable > 0.0) deform_parts(challenge.plan, deformable, random);
+    return challenge;
+}
+
+// Has joints of all kinds that space has, and parts that touch one another.
+Challenge challenge_in_space(std::uint64_t seed) {
+    RandomStream random(stream_seed({seed, 93}));
+    Challenge challenge;
+    const int bodies = random.between(kLeastBodies, kMostBodies);
+    challenge.strength = random.uniform(kGentlestFlesh, kStrongestFlesh);
+    challenge.frequency = random.uniform(kSlowest, kFastest);
+    challenge.plan = random_solid(random, bodies, challenge.strength);
+    const bool swims = seed % kSwimEvery == 0;
+    const bool floats = seed % kFloatEvery == 1;
+    challenge.world = swims ? "swim" : floats ? "float" : "walk";
+    challenge.environment = swims    ? spatial_water()
+                            : floats ? weightless()
+                                     : spatial_ground(0.0, 0.0);
+    draw_surface(challenge.environment, random);
+    challenge.environment.self_contact = true;
     return challenge;
 }
 
@@ -131,12 +160,16 @@ void stretch_and_shorten(PhysicsScene& scene, const BodyPlan& plan, double frequ
 }
 
 Outcome run_violently(const Challenge& challenge, const SceneSettings& settings, double seconds) {
-    const auto scene = planar_scene_kind().make(challenge.plan, challenge.environment, settings);
+    const auto scene = challenge.scene_kind().make(challenge.plan, challenge.environment, settings);
     CAMBRIAN_ASSERT(scene.has_value(), "random trees are valid");
     PhysicsScene& body = **scene;
     if (challenge.environment.has_ground) stand_on_ground(body);
     while (body.status() == SceneStatus::kRunning && body.time() < seconds) {
-        flail(body, challenge.plan, challenge.frequency);
+        if (challenge.environment.dimensions == 3) {
+            swing(body, challenge.plan, challenge.frequency);
+        } else {
+            flail(body, challenge.plan, challenge.frequency);
+        }
         stretch_and_shorten(body, challenge.plan, challenge.frequency);
         body.advance(kTestTick);
     }
@@ -152,10 +185,14 @@ struct Trial {
 };
 
 Trial run_trial(std::uint64_t seed, const Options& options) {
-    Trial trial{challenge_of(seed, options.deformable), {}, {}};
-    trial.outcome = run_violently(trial.challenge, options.settings, options.seconds);
+    Trial trial{
+        options.space ? challenge_in_space(seed) : challenge_of(seed, options.deformable), {}, {}};
+    const auto run = [&](const SceneSettings& settings) {
+        return run_violently(trial.challenge, settings, options.seconds);
+    };
+    trial.outcome = run(options.settings);
     if (trial.outcome.verdict() == AuditVerdict::kSuspect)
-        trial.finer = run_violently(trial.challenge, finer_than(options.settings), options.seconds);
+        trial.finer = run(finer_settings(options.settings, trial.challenge.scene_kind()));
     return trial;
 }
 
@@ -165,7 +202,7 @@ std::string csv_row(std::uint64_t seed, const Trial& trial) {
     const std::string finer =
         trial.finer ? std::string(verdict_name(trial.finer->verdict())) : std::string();
     return row_text("%llu,%s,%zu,%g,%g,%.4g,%.4g,%d,%.4g,%.5g,%llu,%llu,%llu,%llu,",
-                    static_cast<unsigned long long>(seed), challenge.swims ? "swim" : "walk",
+                    static_cast<unsigned long long>(seed), challenge.world.c_str(),
                     challenge.plan.parts.size(), challenge.environment.friction,
                     challenge.environment.elasticity, challenge.strength, challenge.frequency,
                     static_cast<int>(trial.outcome.status), trial.outcome.time,
@@ -270,16 +307,16 @@ void print_table(const std::vector<Trial>& trials, std::uint64_t first_seed) {
     std::vector<const Trial*> all;
     for (const Trial& trial : trials)
         all.push_back(&trial);
-    for (const bool swims : {false, true}) {
+    for (const std::string world : {"walk", "swim", "float"}) {
         for (std::size_t i = 0; i + 1 < kSizes.size(); ++i) {
             std::vector<const Trial*> chosen;
             for (const Trial& trial : trials) {
                 const int bodies = static_cast<int>(trial.challenge.plan.parts.size());
-                if (trial.challenge.swims == swims && bodies >= kSizes[i] && bodies < kSizes[i + 1])
+                if (trial.challenge.world == world && bodies >= kSizes[i] && bodies < kSizes[i + 1])
                     chosen.push_back(&trial);
             }
             const std::string name =
-                row_text("%s %d-%d", swims ? "swim" : "walk", kSizes[i], kSizes[i + 1] - 1);
+                row_text("%s %d-%d", world.c_str(), kSizes[i], kSizes[i + 1] - 1);
             print_summary(name.c_str(), chosen);
         }
     }
@@ -453,6 +490,7 @@ int main(int argc, char** argv) try {
     CLI::App app(
         "Random creatures under violent motors, or holding a pose: failures, cost, honesty");
     app.add_flag("--pose", options.pose, "drop them and let them hold a pose for 20 s instead");
+    app.add_flag("--space", options.space, "in three dimensions, without poses and deformation");
     app.add_option("--deformable", options.deformable, "share of the parts that deform")
         ->check(CLI::Range(0.0, 1.0));
     app.add_option("-n,--creatures", options.creatures,
