@@ -97,8 +97,7 @@ public:
         if (visit.begins) {
             controller_.feedback().tell(
                 NoticeKind::kDone,
-                fmt::format("A run in {} dimensions. The one before is kept; File > Open the run "
-                            "before leads back to it.",
+                fmt::format("A run in {} dimensions. File > Open the run before leads back.",
                             kinds.here.creature.scene.dimensions == 3 ? "three" : "two"));
         }
         const bool unasked =
