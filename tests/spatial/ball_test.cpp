@@ -364,7 +364,7 @@ TEST_CASE("A chain of limp balls comes to rest") {
         const double residual = std::fabs(audit.energy_residual) / energy;
         CAPTURE(turn, fastest, residual, audit.max_limit_overrun, audit.evaluations);
         CHECK(fastest < 1e-3);
-        // Universal joints in place of the balls leave as much.
+        // Universal joints in place of the balls leave as much (spatial/README.md 8).
         CHECK(residual < 6e-3);
         CHECK(audit.max_limit_overrun < 0.03);
     }

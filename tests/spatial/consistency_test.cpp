@@ -139,7 +139,7 @@ TEST_CASE("A planar body lands in space as it does in the plane") {
         if (after == 30 && apart < 1e-3) ++close;
         most = std::fmax(most, apart);
     }
-    // Where a corner hits a little later, the next contacts are others.
+    // Where a corner hits a little later, the next contacts are others (spatial/README.md 8).
     CAPTURE(close, most);
     CHECK(close >= 30);
     CHECK(most < 0.05);
