@@ -340,6 +340,14 @@ class Evolve(ProgramTest):
                          ["scored"]["trial"]["trials"], 3)
         self.run_well("verify", "a.json")
 
+    def test_a_champion_of_drawn_ground_is_scored_on_ground_that_no_generation_saw(self):
+        self.write("rough.toml", SMALL + "trials = 2\n")
+        drawn = ("--set", 'environment.terrain="rough"', "--set", "environment.terrain-same=false")
+        for options, is_held_out in ((), False), (drawn, True):
+            lines = self.run_well("evolve", "rough.toml", "-n", 1, "-s", 9, "--json", *options,
+                                  "-o", f"{is_held_out}.json").stdout.splitlines()
+            self.assertEqual(json.loads(lines[-1])["held_out"] is not None, is_held_out)
+
     def test_a_full_disk_is_reported_and_the_old_file_kept(self):
         self.write("small.toml", SMALL)
         disk = self.small_disk("8k")

@@ -18,6 +18,7 @@
 #include "evolution/evaluation/trials.h"
 #include "evolution/evolution.h"
 #include "evolution/fields/setting_changes.h"
+#include "evolution/settings/chance.h"
 #include "persist/creature/creature_file.h"
 #include "persist/creature/rescoring.h"
 #include "persist/experiment/experiment_file.h"
@@ -319,7 +320,7 @@ ExitStatus report(const EvolutionRun& asked, const Course& course, const Harvest
     if (!harvest.told) return fail(harvest.told.error(), ExitStatus::kFailed);
     const auto& [generation, individual, settings] = *harvest.champion;
     ReportedChampion champion{*individual};
-    if (kinds.goals.find(settings->goal)->shares != nullptr)
+    if (has_chance(settings->world))
         champion.held_out = held_out_score(individual->genome, *settings, kinds);
     return print_result_line(
         final_line(course.evolution, run, champion, outputs, harvest.stopped_by));
