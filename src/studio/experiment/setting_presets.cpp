@@ -136,9 +136,9 @@ constexpr std::array kPresets = {
                       go_over(s, {.kind = "rough", .height = 0.12, .spacing = 0.5});
                   },
                   true},
-    SettingPreset{kEnvironment, "Hills", "The Earth with gentle hills.",
+    SettingPreset{kEnvironment, "Hills", "The Earth with gentle hills, at most 15 degrees steep.",
                   [](Settings& s, const EvolutionKinds&) {
-                      go_over(s, {.kind = "hills", .height = 0.6, .spacing = 2.5});
+                      go_over(s, {.kind = "hills", .height = 0.33, .spacing = 2.5});
                   },
                   true},
     SettingPreset{kEnvironment, "Stairs", "The Earth with stairs that rise to both sides.",
