@@ -302,4 +302,11 @@ std::string words_of(const Lesion& lesion, const Phenotype& intact, const Kinds&
     return {};
 }
 
+std::string words_of(std::span<const Lesion> lesions, const Phenotype& intact, const Kinds& kinds) {
+    std::string words;
+    for (const Lesion& lesion : lesions)
+        words += (words.empty() ? "" : " and ") + words_of(lesion, intact, kinds);
+    return words;
+}
+
 }  // namespace cambrian

@@ -50,5 +50,7 @@ int part_of(const Lesion& lesion, const Phenotype& intact);
 
 // Example: "joint of part 2 locked".
 std::string words_of(const Lesion& lesion, const Phenotype& intact, const Kinds& kinds);
+// Example: "joint of part 2 locked and neuron 3 silent".
+std::string words_of(std::span<const Lesion> lesions, const Phenotype& intact, const Kinds& kinds);
 
 }  // namespace cambrian

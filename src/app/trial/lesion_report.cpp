@@ -14,13 +14,6 @@
 namespace cambrian {
 namespace {
 
-std::string all_words(const LesionRow& row, const LesionReport& report) {
-    std::string words;
-    for (const Lesion& lesion : row.lesions)
-        words += (words.empty() ? "" : ", ") + words_of(lesion, report.intact, report.kinds);
-    return words;
-}
-
 std::string scores_range_text(const std::vector<double>& scores) {
     const auto [least, most] = std::minmax_element(scores.begin(), scores.end());
     return fmt::format("{:.3g} to {:.3g}", *least, *most);
@@ -33,7 +26,7 @@ std::string row_text(const LesionRow& row, const LesionReport& report) {
         whole > 0.0 ? fmt::format("{:>4.0f} %", 100.0 * std::max(0.0, row.left) / whole) : "   - %";
     return fmt::format("\n{}  {:<28}  {}", share,
                        fmt::format("{:.3g} ({})", row.left, scores_range_text(row.scores)),
-                       all_words(row, report));
+                       words_of(row.lesions, report.intact, report.kinds));
 }
 
 std::vector<LesionRow> all_rows(const LesionTable& table) {
@@ -48,7 +41,7 @@ std::string row_json(const LesionRow& row, const LesionReport& report) {
         scores.push_back(real_text(score));
     for (const Lesion& lesion : row.lesions)
         kinds.push_back(quoted_text(lesion_id(lesion.kind)));
-    return json_object({{"lost", quoted_text(all_words(row, report))},
+    return json_object({{"lost", quoted_text(words_of(row.lesions, report.intact, report.kinds))},
                         {"kinds", json_list(kinds)},
                         {"fitness", real_text(row.left)},
                         {"scores", json_list(scores)}});
@@ -74,7 +67,8 @@ std::string lesions_csv(const LesionReport& report) {
     const double whole = report.table.intact.left;
     for (const LesionRow& row : all_rows(report.table)) {
         const auto [least, most] = std::minmax_element(row.scores.begin(), row.scores.end());
-        text += fmt::format("{},{},{},{},{}\n", csv_cell(all_words(row, report)),
+        text += fmt::format("{},{},{},{},{}\n",
+                            csv_cell(words_of(row.lesions, report.intact, report.kinds)),
                             whole > 0.0 ? real_text(row.left / whole) : "", real_text(row.left),
                             real_text(*least), real_text(*most));
     }

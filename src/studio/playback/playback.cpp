@@ -22,6 +22,14 @@ void Playback::restart() {
     sought_.reset();
 }
 
+Status Playback::deprive(std::vector<Lesion> lesions) {
+    if (empty()) return {};
+    if (Status status = creature_.deprive(std::move(lesions)); !status) return status;
+    owed_ = 0.0;
+    sought_.reset();
+    return {};
+}
+
 void Playback::show_trial(int trial) {
     if (empty()) return;
     creature_.show_trial(trial);

@@ -24,6 +24,8 @@ public:
     // Plays another creature from its start. On failure, the creature before stays.
     Status show(Exhibit exhibit);
     void restart();
+    // Plays the present trial with these lesions from its start (PlayedCreature::deprive).
+    Status deprive(std::vector<Lesion> lesions);
     // Plays another of the creature's trials from its start (PlayedCreature::show_trial).
     void show_trial(int trial);
 

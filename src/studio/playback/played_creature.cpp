@@ -7,27 +7,44 @@
 namespace cambrian {
 
 Status PlayedCreature::show(Exhibit exhibit) {
-    auto phenotype = std::make_shared<const Phenotype>(express(
+    auto whole = std::make_shared<const Phenotype>(express(
         *exhibit.genome(), *kinds_, exhibit.settings().expression, exhibit.settings().world.scene));
-    auto replay = Replay::start(phenotype, *kinds_, first_trial_world(exhibit.settings()));
-    if (!replay) return replay.error();
-    replay_.reset();
-    exhibit_ = std::move(exhibit);
-    phenotype_ = std::move(phenotype);
-    readings_ = {};
-    begin(std::move(*replay));
-    return {};
+    Status begun = begin(std::move(whole), {}, first_trial_world(exhibit.settings()));
+    if (begun) exhibit_ = std::move(exhibit);
+    return begun;
+}
+
+Status PlayedCreature::deprive(std::vector<Lesion> lesions) {
+    const int trial = trial_number();
+    TrialWorld world = trial_setup(exhibit_.genome(), exhibit_.settings(), trial).world;
+    world.environment = replay_->environment();
+    return begin(whole_, std::move(lesions), world);
 }
 
 void PlayedCreature::show_trial(int trial) {
     const TrialSetup setup = trial_setup(exhibit_.genome(), exhibit_.settings(), trial);
-    auto phenotype = std::make_shared<const Phenotype>(
+    auto whole = std::make_shared<const Phenotype>(
         express(*setup.genome, *kinds_, exhibit_.settings().expression, setup.world.scene));
-    auto replay = Replay::start(phenotype, *kinds_, setup.world);
-    if (!replay) return;
-    phenotype_ = std::move(phenotype);
+    static_cast<void>(begin(std::move(whole), lesions_, setup.world));
+}
+
+Status PlayedCreature::begin(std::shared_ptr<const Phenotype> whole, std::vector<Lesion> lesions,
+                             const TrialWorld& world) {
+    std::shared_ptr<const Phenotype> body = whole;
+    if (!lesions.empty()) {
+        Phenotype deprived = *whole;
+        inflict(lesions, deprived);
+        body = std::make_shared<const Phenotype>(std::move(deprived));
+    }
+    auto replay = Replay::start(body, *kinds_, world);
+    if (!replay) return replay.error();
+    whole_ = std::move(whole);
+    lesions_ = std::move(lesions);
+    replay_.reset();
+    phenotype_ = std::move(body);
     readings_ = {};
     begin(std::move(*replay));
+    return {};
 }
 
 void PlayedCreature::restart() {

@@ -4,6 +4,7 @@
 // plus what the user does to it.
 
 #include "core/result.h"
+#include "creature/lesion.h"
 #include "studio/playback/exhibit.h"
 #include "studio/playback/replay.h"
 #include "studio/playback/shown_bout.h"
@@ -12,6 +13,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace cambrian {
 
@@ -23,6 +25,9 @@ public:
     // Expresses the creature and starts the first of its trials. On failure, the creature before
     // stays.
     Status show(Exhibit exhibit);
+    // Starts the present trial with these lesions, or with none: indices are those of whole(). On
+    // failure, the motion before stays.
+    Status deprive(std::vector<Lesion> lesions);
     // Starts another of the trials that its score combines, counted from 0.
     void show_trial(int trial);
     int trial_number() const { return replay_->trial().world().light.trial; }
@@ -57,6 +62,9 @@ public:
     // The following functions may be called only if the object is not empty.
     const std::shared_ptr<const Phenotype>& shared_phenotype() const { return phenotype_; }
     const Phenotype& phenotype() const { return *phenotype_; }
+    // The creature without its lesions.
+    const Phenotype& whole() const { return *whole_; }
+    const std::vector<Lesion>& lesions() const { return lesions_; }
     // Its environment is the one that evaluated the creature, unless the user changed it.
     const Replay& replay() const { return *replay_; }
     const ShownMotion& motion() const { return motion_; }
@@ -66,11 +74,15 @@ public:
     const Hold* hold() const { return hold_ ? &*hold_ : nullptr; }
 
 private:
+    Status begin(std::shared_ptr<const Phenotype> whole, std::vector<Lesion> lesions,
+                 const TrialWorld& world);
     void begin(std::unique_ptr<Replay> replay);
 
     const Kinds* kinds_;
     Exhibit exhibit_;
-    std::shared_ptr<const Phenotype> phenotype_;
+    std::shared_ptr<const Phenotype> whole_;
+    std::vector<Lesion> lesions_;
+    std::shared_ptr<const Phenotype> phenotype_;  // `whole_` with the lesions
     std::unique_ptr<Replay> replay_;
     ShownMotion motion_;
     ShownBout bout_;

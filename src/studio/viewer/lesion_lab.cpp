@@ -7,12 +7,16 @@
 
 namespace cambrian {
 
-void LesionLab::study(const Exhibit& exhibit) {
-    begin(exhibit, false);
+void LesionLab::study(const Exhibit& exhibit, bool pairs) {
+    const auto task = std::make_shared<Task>();
+    task->pairs = pairs;
+    begin(exhibit, task);
 }
 
 void LesionLab::prune(const Exhibit& exhibit) {
-    begin(exhibit, true);
+    const auto task = std::make_shared<Task>();
+    task->prunes = true;
+    begin(exhibit, task);
 }
 
 void LesionLab::stop() {
@@ -20,11 +24,10 @@ void LesionLab::stop() {
     task_.reset();
 }
 
-void LesionLab::begin(const Exhibit& exhibit, bool prunes) {
+void LesionLab::begin(const Exhibit& exhibit, const std::shared_ptr<Task>& task) {
     stop();
-    task_ = std::make_shared<Task>();
-    task_->prunes = prunes;
-    worker_.submit([this, task = task_, creature = exhibit.creature](const std::stop_token& stop) {
+    task_ = task;
+    worker_.submit([this, task, creature = exhibit.creature](const std::stop_token& stop) {
         return work(task, creature, stop);
     });
 }
@@ -37,7 +40,7 @@ BackgroundWorker::Completion LesionLab::work(const std::shared_ptr<Task>& task,
     const auto backend =
         make_thread_pool_backend(kinds_, ThreadPool::default_workers(), ThreadPriority::kServing);
     const GenomePtr genome = one.individual->genome;
-    const LesionStudy study{.genome = genome, .settings = *one.settings};
+    const LesionStudy study{.genome = genome, .settings = *one.settings, .pairs = task->pairs};
     if (task->prunes) {
         auto twin = pruned(study, kinds_, *backend, task->progress, asked);
         return [this, task, genome, twin = std::move(twin)] {

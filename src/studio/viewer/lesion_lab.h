@@ -22,7 +22,7 @@ public:
     ~LesionLab() { stop(); }
 
     // Each gives up what runs and begins anew.
-    void study(const Exhibit& exhibit);
+    void study(const Exhibit& exhibit, bool pairs);
     void prune(const Exhibit& exhibit);
     void stop();
     // Must be called once a frame. Returns the genome that was pruned and its pruned twin, once.
@@ -43,10 +43,11 @@ public:
 private:
     struct Task {
         bool prunes = false;
+        bool pairs = false;
         EvaluationProgress progress;
         std::stop_source stop;
     };
-    void begin(const Exhibit& exhibit, bool prunes);
+    void begin(const Exhibit& exhibit, const std::shared_ptr<Task>& task);
     BackgroundWorker::Completion work(const std::shared_ptr<Task>& task,
                                       const JudgedIndividual& one, const std::stop_token& stop);
 

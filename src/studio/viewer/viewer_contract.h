@@ -13,6 +13,7 @@
 #include <memory>
 #include <span>
 #include <variant>
+#include <vector>
 
 namespace cambrian {
 
@@ -71,8 +72,14 @@ struct EditGenes {
 };
 // Ends an edit when the control is released, so that the next edit is a new step to undo.
 struct FinishGeneEdit {};
-// Studies what the displayed creature loses by lesions.
-struct StudyLesions {};
+// Studies what the displayed creature loses by lesions, the worst ones also two at a time.
+struct StudyLesions {
+    bool pairs = false;
+};
+// Plays the displayed creature with these lesions; with none, it is whole again.
+struct InflictLesions {
+    std::vector<Lesion> lesions;
+};
 // Removes the genes of the displayed creature that cost nothing.
 struct PruneShown {};
 struct StopLesions {};
@@ -81,7 +88,8 @@ using ViewerRequest =
     std::variant<TogglePlayback, RestartPlayback, StepPlayback, StepPlaybackBack, TurnTrial,
                  SeekPlayback, FitView, ToggleGroundPen, LookFrom, PokePart, ReleasePoke,
                  ForceNeuron, ReleaseNeuron, ShowHighlight, HoldShown, ShowExhibit, StudySenses,
-                 StopSenseStudy, EditGenes, FinishGeneEdit, StudyLesions, PruneShown, StopLesions>;
+                 StopSenseStudy, EditGenes, FinishGeneEdit, StudyLesions, InflictLesions,
+                 PruneShown, StopLesions>;
 
 struct ViewerView {
     const Playback& playback;

@@ -97,8 +97,16 @@ struct ViewerController::Handler {
         self.show_edited();
     }
     void operator()(const FinishGeneEdit&) const { self.genes_.finish(); }
-    void operator()(const StudyLesions&) const {
-        if (!playback().empty()) self.lesions_.study(playback().exhibit());
+    void operator()(const StudyLesions& request) const {
+        if (!playback().empty()) self.lesions_.study(playback().exhibit(), request.pairs);
+    }
+    void operator()(const InflictLesions& request) const {
+        const Status begun = playback().deprive(request.lesions);
+        if (!begun) return self.services_.feedback.report(begun);
+        self.view_.newest_champion = false;
+        self.clear_highlight();
+        self.services_.feedback.log().write(
+            "lesions", {{"count", static_cast<double>(request.lesions.size())}});
     }
     void operator()(const PruneShown&) const {
         if (!playback().empty()) self.lesions_.prune(playback().exhibit());

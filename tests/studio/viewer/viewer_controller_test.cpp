@@ -3,6 +3,8 @@
 #include "studio_fixture.h"
 #include "studio_run.h"
 
+#include <algorithm>
+
 namespace cambrian {
 namespace {
 
@@ -67,6 +69,22 @@ TEST_CASE("the displayed creature's lesions are found, and it is pruned as an ed
     REQUIRE(run.frames_until([&] { return viewer().lesions->table_of(whole) != nullptr; }));
     CHECK(!viewer().lesions->running());
     CHECK(!viewer().lesions->table_of(whole)->rows.empty());
+    const LesionTable& table = *viewer().lesions->table_of(whole);
+    const auto lost = std::find_if(table.rows.begin(), table.rows.end(), [](const LesionRow& row) {
+        return row.lesions.front().kind == LesionKind::kLostPart;
+    });
+    REQUIRE(lost != table.rows.end());
+    const std::size_t parts = viewer().playback.creature().phenotype().parts.size();
+    run.ask(InflictLesions{lost->lesions});
+    CHECK(viewer().playback.creature().phenotype().parts.size() < parts);
+    CHECK(viewer().playback.creature().whole().parts.size() == parts);
+    run.ask(RestartPlayback{});
+    CHECK(viewer().playback.creature().phenotype().parts.size() < parts);
+    run.ask(InflictLesions{});
+    CHECK(viewer().playback.creature().phenotype().parts.size() == parts);
+    run.ask(StudyLesions{.pairs = true});
+    REQUIRE(run.frames_until([&] { return !viewer().lesions->running(); }));
+    CHECK_FALSE(viewer().lesions->table_of(whole)->pairs.empty());
     run.ask(PruneShown{});
     CHECK(viewer().lesions->pruning());
     REQUIRE(run.frames_until([&] { return !viewer().lesions->running(); }));

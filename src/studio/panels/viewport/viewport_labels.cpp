@@ -250,6 +250,10 @@ void draw_creature_words(const FrameContext& frame, const SceneCanvas& canvas) {
     if (frame.viewer.playback.creature().replay().diverged()) {
         shadowed_text(list, fonts.body, px(15), at, palette.danger,
                       "The motion diverged; press R to restart");
+    } else if (const auto& lesions = frame.viewer.playback.creature().lesions(); !lesions.empty()) {
+        const Phenotype& whole = frame.viewer.playback.creature().whole();
+        shadowed_text(list, fonts.body, px(15), at, palette.plot_best,
+                      "Lesion: " + words_of(lesions, whole, frame.kinds.creature));
     } else if (is_disturbed(frame.viewer.playback.creature())) {
         shadowed_text(list, fonts.body, px(15), at, palette.plot_best,
                       "Disturbed by hand; press R to restart");
