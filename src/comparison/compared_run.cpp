@@ -9,6 +9,7 @@
 #include "evolution/evaluation/trials.h"
 #include "evolution/evolution.h"
 #include "evolution/generation.h"
+#include "genome/genome.h"
 #include "persist/settings/settings_file.h"
 #include "persist/text/digest_text.h"
 #include "simulator/simulator_version.h"
@@ -99,6 +100,8 @@ ComparedRun planned_row(const PlannedRun& run, const EvolutionKinds& kinds) {
     row.trials = run.trials;
     Hash64 hash;
     hash.add(digested_settings(*run.settings, kinds));
+    for (const GenomePtr& founder : run.founders)
+        hash.add(genome_hash(*founder));
     row.settings = hex_text(hash.value());
     row.simulator = simulator_version(kinds.creature.scene.dimensions);
     return row;
@@ -115,7 +118,7 @@ std::optional<FinishedRun> perform(const PlannedRun& run, const EvolutionKinds& 
                                    const std::stop_token& stop) {
     const double begun = thread_cpu_time();
     EvaluationProgress progress;
-    Evolution evolution(run.settings, kinds);
+    Evolution evolution(run.settings, kinds, run.founders);
     ComparedRun row = planned_row(run, kinds);
     for (;;) {
         if (!evolution.evaluate(backend, progress, stop)) return std::nullopt;

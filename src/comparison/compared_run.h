@@ -24,10 +24,11 @@ struct CurvePoint {
 };
 
 struct PlannedRun {
-    std::string world;     // name of the world
-    std::string arm;       // name of the arm
-    SettingsPtr settings;  // settings with the run's seed
-    int trials = 0;        // number of different trials after which the run ends
+    std::string world;                     // name of the world
+    std::string arm;                       // name of the arm
+    SettingsPtr settings;                  // settings with the run's seed
+    int trials = 0;                        // number of different trials after which the run ends
+    std::vector<GenomePtr> founders = {};  // from a museum; random creatures take the other places
 };
 
 // A row of the table of runs. Scores are in the goal's unit.

@@ -1,5 +1,7 @@
 #include "comparison/plan.h"
 
+#include "persist/creature/champion_museum.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -59,6 +61,7 @@ Status add_arms(std::vector<Contender>& contenders, const NamedSettings* world,
     Contender random = contenders[first];
     random.arm = kRandomSearch;
     random.settings.population.immigrants = random.settings.population.size;
+    random.settings.population.museum = 0.0;
     contenders.push_back(std::move(random));
     return {};
 }
@@ -99,12 +102,21 @@ Result<std::vector<PlannedRun>> planned_runs(const ComparisonPlan& plan,
     if (const Status named = check_names(plan.worlds, {}); !named) return named.error();
     const Result<std::vector<Contender>> contenders = contenders_of(plan, kinds);
     if (!contenders) return contenders.error();
+    if (plan.museum.empty()) {
+        for (const Contender& one : *contenders) {
+            if (one.settings.population.museum > 0.0) return no_museum(one.settings);
+        }
+    }
     std::vector<PlannedRun> runs;
     for (const std::uint64_t seed : plan.seeds) {
         for (const Contender& one : *contenders) {
             auto settings = std::make_shared<ExperimentSettings>(one.settings);
             settings->seed = seed;
-            runs.push_back({one.world, one.arm, std::move(settings), plan.trials});
+            std::vector<GenomePtr> founders;
+            if (settings->population.museum > 0.0)
+                founders = museum_founders(plan.museum, *settings, kinds);
+            runs.push_back(
+                {one.world, one.arm, std::move(settings), plan.trials, std::move(founders)});
         }
     }
     return runs;

@@ -7,6 +7,7 @@
 #include "persist/settings/settings_file.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -29,13 +30,16 @@ struct ComparisonPlan {
     bool random_search = false;  // adds an arm like the first one that breeds random creatures only
     std::vector<std::uint64_t> seeds = {};
     int trials = 0;  // trials per run
+    // Folder from which runs with [population] museum take founders; empty for none.
+    std::filesystem::path museum = {};
 };
 
 inline constexpr const char* kRandomSearch = "random-search";
 
 // Returns all runs, ordered so that a finished part of them is as balanced as possible. Fails for
 // invalid settings, for equal names and for an arm that changes a world's goal or environment.
-// Without worlds, it also fails for arms with different goals.
+// Without worlds, it also fails for arms with different goals, and without a museum for runs that
+// take founders from one.
 Result<std::vector<PlannedRun>> planned_runs(const ComparisonPlan& plan,
                                              const EvolutionKinds& kinds);
 

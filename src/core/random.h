@@ -26,6 +26,7 @@ enum class Purpose : std::uint64_t {
     kLight = 8,
     kPreserve = 9,
     kOpponent = 10,
+    kMuseum = 11,
     kTest = 99,
 };
 

@@ -24,11 +24,10 @@ constexpr int kChampionWorlds = 10;          // number of worlds in which these 
 
 Evolution::Evolution(SettingsPtr settings, const EvolutionKinds& kinds,
                      const std::vector<GenomePtr>& founders)
-    : settings_(std::move(settings)), kinds_(&kinds) {
+    : settings_(std::move(settings)), kinds_(&kinds), founders_(founders) {
     const auto size = static_cast<std::size_t>(settings_->population.size);
-    for (std::size_t slot = 0; slot < size; ++slot) {
-        population_.push_back(make_founder(slot, founders));
-    }
+    for (std::size_t slot = 0; slot < size; ++slot)
+        population_.push_back(make_founder(slot));
 }
 
 Evolution::Evolution(EvolutionState state, const EvolutionKinds& kinds)
@@ -40,14 +39,16 @@ Evolution::Evolution(EvolutionState state, const EvolutionKinds& kinds)
       population_(std::move(state.population)),
       history_(std::move(state.history)),
       termination_audit_(state.termination_audit),
-      champions_(std::move(state.champions)) {}
+      champions_(std::move(state.champions)),
+      founders_(std::move(state.founders)) {}
 
-IndividualPtr Evolution::make_founder(std::size_t slot,
-                                      const std::vector<GenomePtr>& founders) const {
-    const bool given_place = slot < founders.size();
-    if (founders.empty() || (!given_place && settings_->population.fill == "random"))
+IndividualPtr Evolution::make_founder(std::size_t slot) const {
+    const bool given_place = slot < founders_.size();
+    const PopulationSettings& rules = settings_->population;
+    const bool random = rules.fill == "random" || rules.museum > 0.0;
+    if (founders_.empty() || (!given_place && random))
         return make_immigrant(*settings_, *kinds_, 0, slot);
-    const GenomePtr& given = founders[slot % founders.size()];
+    const GenomePtr& given = founders_[slot % founders_.size()];
     if (given_place) {
         return std::make_shared<const Individual>(
             make_individual(given, *settings_, 0, slot, "imported"));
@@ -246,9 +247,16 @@ void Evolution::breed() {
         memory_ = {};
     }
     scores_outdated_ = false;
+    invite_founder();
     place_injected(next);
     population_ = std::move(next);
     evaluated_ = false;
+}
+
+// The founders from a museum come back, one a generation, in order.
+void Evolution::invite_founder() {
+    if (settings_->population.museum > 0.0 && !founders_.empty())
+        inject(founders_[generation_ % founders_.size()]);
 }
 
 void Evolution::place_injected(std::vector<IndividualPtr>& next) {

@@ -27,13 +27,15 @@ struct EvolutionState {
     SelectionMemory memory;
     TerminationAudit termination_audit;
     std::vector<GenomePtr> champions;  // the best of each generation before this one, in order
+    std::vector<GenomePtr> founders;   // those that were given; one a generation joins again, if
+                                       // the settings take founders from a museum
 };
 
 class Evolution {
 public:
     // The settings must pass check_settings(). `founders` are genomes of generation 0. The settings
-    // say whether their mutants or random creatures take the remaining places. Without founders,
-    // all are random.
+    // say whether their mutants or random creatures take the remaining places, and whether they
+    // join again later. Without founders, all are random.
     Evolution(SettingsPtr settings, const EvolutionKinds& kinds,
               const std::vector<GenomePtr>& founders = {});
     // Continues from a state.
@@ -80,7 +82,7 @@ public:
     const TerminationAudit& termination_audit() const { return termination_audit_; }
 
 private:
-    IndividualPtr make_founder(std::size_t slot, const std::vector<GenomePtr>& founders) const;
+    IndividualPtr make_founder(std::size_t slot) const;
     void plan_evaluations();
     std::vector<std::size_t> survivors_of(std::span<const IndividualPtr> ranked) const;
     std::optional<TerminationThreshold> threshold_for(const Individual& individual,
@@ -95,6 +97,7 @@ private:
     bool score_as_known(std::size_t slot, std::uint64_t phenotype);
     void remember_scores();
     void record_generation();
+    void invite_founder();
     void place_injected(std::vector<IndividualPtr>& next);
     static void forget_scores(std::vector<IndividualPtr>& population);
 
@@ -116,6 +119,7 @@ private:
     SurvivalThresholds survival_thresholds_;
     TerminationAudit termination_audit_;
     std::vector<GenomePtr> champions_;  // the best of each generation before this one
+    std::vector<GenomePtr> founders_;   // those that were given
     // Generation for which opponents were drawn last.
     std::optional<std::uint32_t> opponents_drawn_;
     // Results of the last generation, by phenotype.

@@ -236,4 +236,8 @@ std::filesystem::path own_experiment(const std::filesystem::path& folder) {
     return folder / "experiment.cambrian";
 }
 
+std::filesystem::path own_museum(const std::filesystem::path& folder) {
+    return folder.empty() ? folder : folder / "museum";
+}
+
 }  // namespace cambrian

@@ -40,6 +40,9 @@ Status remember(const std::filesystem::path& folder, const Preferences& remember
 // Returns the path in a folder of the experiment that has no file of its own.
 std::filesystem::path own_experiment(const std::filesystem::path& folder);
 
+// Returns the path in a folder of the champions of earlier runs; empty if the folder is.
+std::filesystem::path own_museum(const std::filesystem::path& folder);
+
 // The arrangement as text, one "name = value" on each line. Unknown lines are ignored.
 std::string write_view(const ViewState& view);
 ViewState parse_view(std::string_view text);

@@ -126,7 +126,7 @@ public:
             last_start = now;
             if (options_.quit_after > 0.0 && now > options_.quit_after) break;
         }
-        controller_.keep_memory();
+        controller_.close();
         std::optional<SpaceCrossing> crossing = controller_.files().crossing();
         if (crossing) {
             controller_.feedback().log().write("crossing", {{"path", crossing->file.string()}});

@@ -73,7 +73,9 @@ StudioController::StudioController(const Preferences& remembered, const Evolutio
 
 void StudioController::remember_in(const std::filesystem::path& folder) {
     memory_.use(folder);
-    if (!folder.empty()) experiment_.keep_in(own_experiment(folder));
+    const std::filesystem::path museum = own_museum(folder);
+    if (!folder.empty()) experiment_.keep_in(own_experiment(folder), museum);
+    files_.use_museum(museum);
     preserve_.keep_in(folder);
     comparison_.keep_in(folder);
 }
@@ -95,6 +97,11 @@ Preferences StudioController::remembered() const {
 
 void StudioController::keep_memory() {
     memory_.keep(remembered(), services_.shared);
+}
+
+void StudioController::close() {
+    experiment_.close();
+    keep_memory();
 }
 
 void StudioController::use_assets(const std::filesystem::path& folder) {

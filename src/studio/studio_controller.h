@@ -32,6 +32,8 @@ public:
     // Reopens, in the background, the experiment that was open when the folder was last used.
     void reopen_last();
     void keep_memory();
+    // Keeps the state and the run's champion, because the window closes.
+    void close();
     // Returns what is stored of the present state.
     Preferences remembered() const;
     // Sets the folder of the help pages and samples.

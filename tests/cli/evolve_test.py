@@ -303,6 +303,28 @@ class Evolve(ProgramTest):
             result = self.run_well("evolve", "s.toml", "-n", 1, "--founders", linear)
             self.assertEqual("W04 " in result.stderr, expected, result.stderr)
 
+    def test_a_museum_fills_and_gives_founders(self):
+        self.write("small.toml", SMALL)
+        museum = self.folder / "museum"
+        first = self.run_well("evolve", "small.toml", "-s", 3, "--museum", "museum", "-o", "a.json")
+        self.assertIn("museum: the champion's body plan is new", first.stderr)
+        [exhibit] = museum.iterdir()
+        self.assertEqual(exhibit.read_bytes(), (self.folder / "a.json").read_bytes())
+        self.run_well("verify", exhibit)
+        again = self.run_well("evolve", "small.toml", "-s", 3, "--museum", "museum", "-o", "b.json")
+        self.assertIn("museum: a creature with the champion's body plan is here already",
+                      again.stderr)
+        share = ["--set", "population.museum=0.25"]
+        self.assert_refused(self.run_program("evolve", "small.toml", *share),
+                            "[population] museum is 0.25", "expected its folder, by --museum")
+        report = self.run_well("evolve", "small.toml", *share, "-s", 9, "-n", 1, "--museum",
+                               "museum", "-o", "c.cambrian", "--json").stdout
+        self.assertGreater(json.loads(report.splitlines()[0])["best"], 0)
+        self.run_well("verify", "c.cambrian")
+        empty = self.run_well("evolve", "small.toml", *share, "-n", 1, "--museum", "other",
+                              "-o", "d.json")
+        self.assertIn("other: the museum has no creature for this world yet", empty.stderr)
+
     def test_founders_that_cannot_be_used_are_refused(self):
         self.write("small.toml", SMALL)
         self.write("not.json", "{}")

@@ -24,6 +24,22 @@ const NamedSettings kPlain = named("plain", "");
 
 }  // namespace
 
+TEST_CASE("runs that take founders from a museum need one", "[comparison]") {
+    const NamedSettings visitor = named("visitor", "[population]\nmuseum = 0.2\n");
+    ComparisonPlan plan = {
+        .worlds = {kMoon}, .arms = {kPlain, visitor}, .seeds = {1}, .trials = 10};
+    CHECK(message_of(plan).find("[population] museum is 0.2") == 0);
+    plan.museum = std::string(CAMBRIAN_SOURCE_DIR) + "/assets/creatures";
+    const auto runs = planned_runs(plan, kinds());
+    REQUIRE(runs);
+    CHECK((*runs)[0].founders.empty());
+    CHECK((*runs)[1].founders.size() > 10);
+    const auto row = planned_row((*runs)[1], kinds());
+    PlannedRun without = (*runs)[1];
+    without.founders.pop_back();
+    CHECK_FALSE(is_row_of(row, planned_row(without, kinds())));
+}
+
 TEST_CASE("every arm is run in every world with every seed", "[comparison]") {
     const auto runs = planned_runs({.worlds = {kMoon, kWater},
                                     .arms = {kPlain, kSmall},

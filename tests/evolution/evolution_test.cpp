@@ -227,7 +227,7 @@ TEST_CASE("rescored survivors lose what another simulator gave them", "[evolutio
     Evolution honest(settings, kinds());
     run(honest, backend, 2);
     EvolutionState flattered{
-        settings, honest.generation(), honest.population(), honest.history(), {}, {}, {}};
+        settings, honest.generation(), honest.population(), honest.history(), {}, {}, {}, {}};
     for (IndividualPtr& each : flattered.population) {
         Individual changed = *each;
         changed.result.fitness += 1000.0;
@@ -295,6 +295,39 @@ TEST_CASE("random creatures fill up beside given founders if the settings say so
         CHECK(one.method == (i < 3 ? "imported" : "random"));
         if (i < 3) CHECK(one.genome == founders[i]);
     }
+}
+
+TEST_CASE("founders from a museum leave the other places to random creatures and come back in turn",
+          "[evolution]") {
+    RandomStream stream(3);
+    std::vector<GenomePtr> founders;
+    for (int i = 0; i < 3; ++i) {
+        founders.push_back(std::make_shared<const Genome>(
+            random_genome(FounderSettings{}, kinds().creature.catalog, stream)));
+    }
+    auto settings = small_settings(20);
+    settings->population.museum = 0.15;
+    Evolution evolution(settings, kinds(), founders);
+    for (std::size_t i = 0; i < 20; ++i)
+        CHECK(evolution.population()[i]->method == (i < 3 ? "imported" : "random"));
+    FakeBackend backend;
+    run(evolution, backend, 1);
+    for (std::uint32_t generation = 1; generation < 5; ++generation) {
+        evolution.breed();
+        const auto& next = evolution.population();
+        const auto invited = std::count_if(next.begin(), next.end(), [&](const IndividualPtr& one) {
+            return one->born == generation && one->method == "imported";
+        });
+        CHECK(invited == 1);
+        CHECK(*next.back()->genome == *founders[generation % 3]);
+        EvaluationProgress progress;
+        REQUIRE(evolution.evaluate(backend, progress, {}));
+    }
+    settings->population.museum = 0.0;
+    Evolution plain(settings, kinds(), founders);
+    run(plain, backend, 1);
+    plain.breed();
+    CHECK(plain.population().back()->method != "imported");
 }
 
 TEST_CASE("more founders than places leave the first ones", "[evolution]") {

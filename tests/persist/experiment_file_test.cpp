@@ -175,6 +175,33 @@ TEST_CASE("resumed at any generation a run goes on as if never stopped",
     }
 }
 
+TEST_CASE("a run with founders from a museum goes on as if never stopped",
+          "[persist][experiment_file]") {
+    const TemporaryDirectory folder;
+    ExperimentSettings settings = small_settings();
+    settings.population.museum = 0.2;
+    const std::vector<GenomePtr> founders = {crawler(kinds().creature.catalog)};
+    const auto write = [&](const std::filesystem::path& path, std::size_t generations) {
+        const auto file = new_file(path, shared(settings), founders);
+        Evolution evolution(shared(settings), kinds(), founders);
+        run_on(evolution, *file, generations);
+    };
+    write(folder / "complete.cambrian", 4);
+    write(folder / "stopped.cambrian", 2);
+    {
+        auto opened = open_experiment(folder / "stopped.cambrian", kinds());
+        REQUIRE(opened);
+        Evolution evolution = resumed(opened->saved, kinds());
+        run_on(evolution, *opened->file, 4);
+    }
+    CHECK(digests_of(folder / "stopped.cambrian") == digests_of(folder / "complete.cambrian"));
+    const auto saved = load_experiment(folder / "stopped.cambrian", kinds());
+    const auto& last = saved->latest->population;
+    CHECK(std::any_of(last.begin(), last.end(), [](const IndividualPtr& one) {
+        return one->born == 3 && one->method == "imported";
+    }));
+}
+
 TEST_CASE("a resumed contest goes on as if never stopped, with its opponents",
           "[persist][experiment_file]") {
     const TemporaryDirectory folder;

@@ -19,6 +19,7 @@
 #include "evolution/evolution.h"
 #include "evolution/fields/setting_changes.h"
 #include "evolution/settings/chance.h"
+#include "persist/creature/champion_museum.h"
 #include "persist/creature/creature_file.h"
 #include "persist/creature/rescoring.h"
 #include "persist/experiment/experiment_file.h"
@@ -75,15 +76,32 @@ Result<RunOutputs> take_names(ExperimentFile& file, RunOutputs outputs, const Ev
     }
 }
 
+// The given creatures and, as far as there are places, those of the museum.
+Result<std::vector<GenomePtr>> founders_of(const EvolutionRun& run,
+                                           const ExperimentSettings& settings,
+                                           const EvolutionKinds& kinds) {
+    const int places = settings.population.size;
+    const auto files = load_founders(run.founders, {"[population] size", places}, settings, kinds);
+    if (!files) return files.error();
+    std::vector<GenomePtr> founders = genomes_of(*files);
+    if (settings.population.museum <= 0.0) return founders;
+    if (run.museum.empty()) return no_museum(settings);
+    const std::vector<GenomePtr> drawn = museum_founders(run.museum, settings, kinds);
+    if (drawn.empty()) say(run.museum + ": the museum has no creature for this world yet");
+    for (const GenomePtr& genome : drawn) {
+        if (founders.size() < static_cast<std::size_t>(places)) founders.push_back(genome);
+    }
+    return founders;
+}
+
 Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) {
     const Result<SettingsPtr> settings = settings_of(run, kinds);
     if (!settings) return settings.error();
     for (const std::string& warning : setting_warnings(**settings, kinds))
         say(warning);
-    const auto files = load_founders(
-        run.founders, {"[population] size", (*settings)->population.size}, **settings, kinds);
-    if (!files) return files.error();
-    const std::vector<GenomePtr> founders = genomes_of(*files);
+    const auto given = founders_of(run, **settings, kinds);
+    if (!given) return given.error();
+    const std::vector<GenomePtr>& founders = *given;
     Result<RunOutputs> outputs = run_outputs({run.out, **settings, files_of(run)});
     if (!outputs) return outputs.error();
     StartedFile made;
@@ -301,21 +319,35 @@ Harvest evolve(Course& course, EvaluationBackend& backend, const ReportedRun& ru
     }
 }
 
+// Puts the champion into the museum, if one is named, and says so.
+Status exhibit(const EvolutionRun& run, const CreatureDocument& champion,
+               const EvolutionKinds& kinds) {
+    if (run.museum.empty()) return {};
+    const auto admitted = admit(run.museum, champion, kinds);
+    if (!admitted) return admitted.error();
+    say(fmt::format("{}: {}", run.museum, words_of(*admitted)));
+    return {};
+}
+
 // Saves the champion and prints the final line.
 ExitStatus report(const EvolutionRun& asked, const Course& course, const Harvest& harvest,
                   const ReportedRun& run, const EvolutionKinds& kinds) {
     RunOutputs outputs = course.outputs;
-    if (!outputs.champion.empty()) {
+    if (!outputs.champion.empty() || !asked.museum.empty()) {
         CreatureDocument champion = creature_document(*harvest.champion, kinds);
         if (course.before) {
             champion.notes.simulator = scored_by(*course.before, harvest.champion->individual->born,
                                                  harvest.champion->generation);
         }
         complete_score(champion, kinds);
-        const auto saved =
-            save_champion(outputs, {asked.out, course.limits, files_of(asked)}, champion, kinds);
-        if (!saved) return fail(saved.error(), ExitStatus::kFailed);
-        outputs.champion = *saved;
+        if (!outputs.champion.empty()) {
+            const auto saved = save_champion(outputs, {asked.out, course.limits, files_of(asked)},
+                                             champion, kinds);
+            if (!saved) return fail(saved.error(), ExitStatus::kFailed);
+            outputs.champion = *saved;
+        }
+        if (const Status shown = exhibit(asked, champion, kinds); !shown)
+            return fail(shown.error(), ExitStatus::kFailed);
     }
     if (!harvest.told) return fail(harvest.told.error(), ExitStatus::kFailed);
     const auto& [generation, individual, settings] = *harvest.champion;
@@ -406,7 +438,8 @@ CommandFiles files_of(const EvolutionRun& run) {
     files.reads(run.settings_file)
         .reads(run.resume)
         .reads_each(run.founders)
-        .reads_each(run.injected);
+        .reads_each(run.injected)
+        .fills(run.museum);
     add_login_files(files, run.cluster);
     return is_experiment_name(run.out) ? files.keeps(run.out) : files.writes(run.out);
 }

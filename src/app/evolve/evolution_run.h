@@ -23,6 +23,7 @@ struct EvolutionRun {
     std::string resume;         // experiment file to continue
     // Creature files of the founders; empty for random creatures.
     std::vector<std::string> founders;
+    std::string museum;  // folder that gives founders and takes the champion; empty for none
     std::optional<int> generations;    // overrides the file's
     std::vector<std::uint64_t> seeds;  // one run for each; overrides the file's
     std::vector<std::string> sets;     // see typed_setting(); override the file's

@@ -39,6 +39,7 @@ struct CompareOptions {
     std::string out = "comparison";
     int trials = 4000;
     bool random_search = false;
+    std::string museum;
     std::optional<std::size_t> threads;
     ClusterLogin cluster;  // without servers, only this machine evaluates
 };
@@ -90,7 +91,8 @@ Result<std::vector<PlannedRun>> runs_of(const CompareOptions& options,
                          .arms = *std::move(arms),
                          .random_search = options.random_search,
                          .seeds = *std::move(seeds),
-                         .trials = options.trials},
+                         .trials = options.trials,
+                         .museum = options.museum},
                         kinds);
 }
 
@@ -140,6 +142,10 @@ public:
         app.add_flag(
             "--random-search", options_.random_search,
             "Random search as a further arm, which keeps the best of new random creatures");
+        app.add_option("--museum", options_.museum,
+                       "Folder of champions from which runs take the share [population] museum of "
+                       "their founders")
+            ->type_name(option_type::kFolder);
         app.add_option("-s,--seeds", options_.seeds, "Seeds of the runs, as 1..9 or 1..9,12")
             ->capture_default_str();
         take_whole(*app.add_option("-n,--trials", options_.trials,

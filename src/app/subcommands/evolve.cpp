@@ -39,6 +39,10 @@ public:
         auto* founders = app.add_option("-f,--founders", run_.founders,
                                         "Creature files of founders, which replace random ones")
                              ->type_name(option_type::kCreature);
+        app.add_option("--museum", run_.museum,
+                       "Folder of champions that gives the share [population] museum of the "
+                       "founders, and takes the run's champion if its body plan is new")
+            ->type_name(option_type::kFolder);
         take_whole(
             *app.add_option("-t,--threads", run_.threads,
                             "Number of threads, which has no influence on results; one per core "

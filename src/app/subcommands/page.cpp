@@ -68,6 +68,9 @@ private:
         Result<ExperimentSettings> settings = load_settings(settings_, kinds);
         if (!settings) return settings.error();
         if (seed_) settings->seed = *seed_;
+        if (settings->population.museum > 0.0)
+            return Error{settings_ +
+                         ": [population] museum: expected 0, since a page has no museum"};
         PageContent content;
         content.title = fmt::format("Evolve {}", settings->goal);
         PageEvolution offered{.settings = *settings, .digests = {}};

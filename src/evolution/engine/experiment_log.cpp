@@ -88,6 +88,7 @@ Evolution resumed(const SavedExperiment& saved, const EvolutionKinds& kinds) {
         if (champion.generation < state.generation)
             state.champions.push_back(champion.individual->genome);
     }
+    state.founders = saved.founders;
     Evolution evolution(std::move(state), kinds);
     give_breeding_commands(evolution, saved.journal);
     evolution.breed();

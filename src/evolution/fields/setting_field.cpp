@@ -140,6 +140,12 @@ void add_population(std::vector<SettingField>& fields) {
                 "The creatures that fill up the population if founders are given: mutants of the "
                 "founders or random creatures.")
         .live = false;
+    table
+        .number(&PopulationSettings::museum, "museum", "From the museum", "", Range{0, 1},
+                "The share of the founders that come from the museum of champions. Random "
+                "creatures take the other places, and in each generation one of the founders joins "
+                "again. 0 begins from nothing.")
+        .live = false;
 }
 
 void add_breeding(std::vector<SettingField>& fields, const EvolutionKinds& kinds) {

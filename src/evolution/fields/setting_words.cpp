@@ -34,6 +34,7 @@ constexpr std::array kSettingWords = {
     SettingWords{"trial.tilt-jitter", "Tilted starts", ""},
     SettingWords{"population.size", "Creatures", "How many creatures live in a generation. More of them find more, and take longer."},
     SettingWords{"population.immigrants", "Newcomers", ""},
+    SettingWords{"population.museum", "", "The share of the first creatures that come from your museum, the best of your earlier runs. The others are random."},
     SettingWords{"population.tuned", "Slight copies", ""},
     SettingWords{"selection.method", "Who breeds", ""},
     SettingWords{"selection.survival", "Share that lives on", ""},

@@ -24,6 +24,9 @@ struct PopulationSettings {
     double tuned = 0.4;     // share of the offspring that are tuned copies of the best of a line
     // Fills the places that given founders leave: "mutants" of them or "random" creatures.
     std::string fill = "mutants";
+    // Share of the founders that come from a museum (persist/creature/champion_museum.h). Random
+    // creatures take the other places, and one of the founders joins each generation in turn.
+    double museum = 0.0;
 
     friend bool operator==(const PopulationSettings&, const PopulationSettings&) = default;
 };

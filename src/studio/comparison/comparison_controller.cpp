@@ -5,6 +5,7 @@
 #include "goals/goal.h"
 #include "persist/settings/settings_file.h"
 #include "persist/text/digest_text.h"
+#include "studio/preferences.h"
 
 #include <fmt/core.h>
 
@@ -64,8 +65,9 @@ void ComparisonController::carry_out(const ComparisonRequest& request) {
 Result<RunningComparison::Job> ComparisonController::job() const {
     if (folder_.empty()) return Error{"this window has no folder in which runs are kept"};
     const ExperimentSettings& settings = experiment_.open().editor().draft();
-    const auto plan = plan_of(facts_.draft, settings, services_.kinds);
+    auto plan = plan_of(facts_.draft, settings, services_.kinds);
     if (!plan) return plan.error();
+    plan->museum = own_museum(folder_);
     auto runs = planned_runs(*plan, services_.kinds);
     if (!runs) return runs.error();
     return RunningComparison::Job{

@@ -127,7 +127,15 @@ ExperimentController::ExperimentController(const Services& services, ViewState& 
     : services_(services),
       view_(view),
       viewer_(viewer),
-      experiment_(std::move(settings), services.kinds, std::move(backend)) {}
+      experiment_(std::move(settings), services.kinds, std::move(backend)),
+      museum_(services) {}
+
+void ExperimentController::keep_in(const std::filesystem::path& file,
+                                   const std::filesystem::path& museum) {
+    museum_.keep_in(museum);
+    experiment_.take_founders_from(museum);
+    experiment_.autosave_in(file);
+}
 
 void ExperimentController::carry_out(const ExperimentRequest& request) {
     std::visit(Handler{*this}, request);
@@ -147,6 +155,7 @@ ExperimentView ExperimentController::facts() const {
 
 void ExperimentController::poll() {
     experiment_.poll();
+    museum_.see(experiment_.snapshot());
     if (experiment_.snapshot().status != EngineStatus::kPaused) resuming_ = false;
 }
 
@@ -184,6 +193,7 @@ void ExperimentController::take_over_world(const Exhibit& exhibit) {
 
 void ExperimentController::begin_run(std::vector<GenomePtr> founders, RunSeed seed) {
     const bool any = !experiment_.snapshot().history.empty();
+    if (!founders.empty()) leave_museum();
     const Status status = experiment_.start_new_run(std::move(founders), seed);
     if (!status) return services_.feedback.report(status);
     services_.feedback.log().write("new run");
@@ -192,10 +202,22 @@ void ExperimentController::begin_run(std::vector<GenomePtr> founders, RunSeed se
         view_.newest_champion = false;  // that of the run before is still in the snapshot
         show_founder(0);
     }
+    const ExperimentSettings& draft = experiment_.editor().draft();
+    const bool nothing_there = draft.population.museum > 0.0 && experiment_.begins_at_random();
     services_.feedback.tell(
         NoticeKind::kDone,
-        fmt::format("A new run begins, with seed {}.{}", experiment_.editor().draft().seed,
+        fmt::format("A new run begins, with seed {}.{}{}", draft.seed,
+                    nothing_there ? " The museum has no creature for this world yet." : "",
                     any ? " The one before is kept; Ctrl+Z goes back to it." : ""));
+}
+
+// Founders that the user chose take the place of those of the museum.
+void ExperimentController::leave_museum() {
+    ExperimentSettings settings = experiment_.editor().draft();
+    if (settings.population.museum <= 0.0) return;
+    settings.population.museum = 0.0;
+    experiment_.editor().edit(std::move(settings), "population.museum");
+    experiment_.editor().finish();
 }
 
 void ExperimentController::commit() {

@@ -4,6 +4,7 @@
 
 #include "studio/background/services.h"
 #include "studio/experiment/experiment_contract.h"
+#include "studio/experiment/museum_keeper.h"
 #include "studio/experiment/open_experiment.h"
 #include "studio/look/view_state.h"
 #include "studio/viewer/viewer_controller.h"
@@ -26,7 +27,10 @@ public:
     ExperimentView facts() const;
 
     // Saves new runs in this file from now on; the run before is kept in a file beside it.
-    void keep_in(const std::filesystem::path& file) { experiment_.autosave_in(file); }
+    // Champions go into the museum and founders come from it.
+    void keep_in(const std::filesystem::path& file, const std::filesystem::path& museum);
+    // Must be called when the window closes.
+    void close() { museum_.close(); }
     // Pauses evolution and forbids starting it while the user selects by hand.
     void suspend();
     // Ends the suspension; with `resume`, evolution continues if it was running before.
@@ -44,6 +48,7 @@ public:
 private:
     struct Handler;
     void begin_run(std::vector<GenomePtr> founders, RunSeed seed);
+    void leave_museum();
     void take_over_world(const Exhibit& exhibit);
     void commit();
     void change_draft(void (SettingsEditor::*change)());
@@ -53,6 +58,7 @@ private:
     ViewState& view_;
     ViewerController& viewer_;
     OpenExperiment experiment_;
+    MuseumKeeper museum_;
     EngineStatus seen_status_ = EngineStatus::kPaused;
     std::uint32_t seen_generation_ = 0;
     bool suspended_ = false;

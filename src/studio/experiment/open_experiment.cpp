@@ -1,5 +1,6 @@
 #include "studio/experiment/open_experiment.h"
 
+#include "persist/creature/champion_museum.h"
 #include "picking/handover.h"
 
 #include <random>
@@ -112,6 +113,8 @@ void OpenExperiment::draw_seed() {
 void OpenExperiment::start(std::vector<GenomePtr> founders) {
     files_.begin(*snapshot_);
     run_seed_ = editor_.draft().seed;
+    if (founders.empty() && editor_.draft().population.museum > 0.0 && !museum_.empty())
+        founders = museum_founders(museum_, editor_.draft(), kinds_);
     begins_at_random_ = founders.empty();
     send(StartExperiment{std::make_shared<const ExperimentSettings>(editor_.draft()),
                          std::move(founders), files_.kept()});

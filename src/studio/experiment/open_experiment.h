@@ -30,6 +30,8 @@ public:
     // Saves new runs in this file from now on (see RunFiles). Before this call, runs are saved in a
     // temporary file.
     void autosave_in(const std::filesystem::path& file);
+    // Runs whose settings say so take founders from this museum from now on.
+    void take_founders_from(const std::filesystem::path& museum) { museum_ = museum; }
     // Continues a saved experiment; evolution is paused at first.
     void go_on(SavedExperiment saved, std::shared_ptr<ExperimentFile> file,
                const std::filesystem::path& path);
@@ -57,8 +59,8 @@ public:
     // Sends the draft to the engine: all settings while fresh(), otherwise the live ones only.
     // Edits that make it contradict itself are taken back, and the error says why.
     Status commit();
-    // Starts a new run with the draft settings from these founders or, if there are none, random
-    // ones. A new seed is drawn into the draft.
+    // Starts a new run with the draft settings from these founders or, if there are none, those
+    // of the museum or random ones. A new seed is drawn into the draft.
     Status start_new_run(std::vector<GenomePtr> founders, RunSeed seed = RunSeed::kNew);
     // Starts a new run with other settings.
     Status replace(const ExperimentSettings& settings);
@@ -72,6 +74,7 @@ private:
     std::vector<SettingField> fields_;
     SettingsEditor editor_;
     RunFiles files_;
+    std::filesystem::path museum_;
     unsigned runs_begun_ = 0;
     std::uint64_t run_seed_;  // of the present run
     bool begins_at_random_ = true;

@@ -362,16 +362,16 @@ void FilesController::carry_out(const FilesRequest& request) {
 }
 
 void FilesController::read_sample_folder() {
-    services_.worker.submit(
-        [this, folders = sample_folders_, services = services_](const std::stop_token&) {
-            auto found = read_sample_folders(folders, services.kinds, services.elsewhere);
-            return [this, found = std::move(found)] {
-                samples_.samples = found;
-                samples_.read = true;
-                services_.feedback.log().write("samples",
-                                               {{"count", static_cast<double>(found.size())}});
-            };
-        });
+    services_.worker.submit([this, folders = sample_folders_, museum = museum_,
+                             services = services_](const std::stop_token&) {
+        auto found = read_sample_folders(folders, museum, services.kinds, services.elsewhere);
+        return [this, found = std::move(found)] {
+            samples_.samples = found;
+            samples_.read = true;
+            services_.feedback.log().write("samples",
+                                           {{"count", static_cast<double>(found.size())}});
+        };
+    });
 }
 
 // Each run is a job of its own, so that a large one does not keep other files waiting.

@@ -65,6 +65,8 @@ public:
     void use_samples(std::vector<std::filesystem::path> folders) {
         sample_folders_ = std::move(folders);
     }
+    // Its creatures are shown below the samples.
+    void use_museum(const std::filesystem::path& folder) { museum_ = folder; }
     void use_challenges(const std::filesystem::path& folder) { challenges_folder_ = folder; }
     // Sets what pages are made of.
     void use_page_parts(PageParts parts) { page_parts_ = std::move(parts); }
@@ -111,6 +113,7 @@ private:
     PageParts page_parts_;
     FileBrowser browser_;
     std::vector<std::filesystem::path> sample_folders_;
+    std::filesystem::path museum_;
     std::filesystem::path challenges_folder_;
     SampleLibrary samples_;
     std::optional<GridMotion> sample_motion_;  // of the sample that is watched

@@ -3,6 +3,7 @@
 #include "core/text/code_points.h"
 #include "core/text/pretty_text.h"
 #include "core/text/shown_score.h"
+#include "genome/creature_name.h"
 #include "persist/creature/creature_card.h"
 #include "persist/creature/creature_file.h"
 #include "persist/experiment/file_dimensions.h"
@@ -72,6 +73,7 @@ std::vector<Sample> read_samples(const std::filesystem::path& folder, const Evol
 }
 
 std::vector<Sample> read_sample_folders(const std::vector<std::filesystem::path>& folders,
+                                        const std::filesystem::path& museum,
                                         const EvolutionKinds& kinds,
                                         const EvolutionKinds* elsewhere) {
     std::vector<Sample> found;
@@ -79,8 +81,19 @@ std::vector<Sample> read_sample_folders(const std::vector<std::filesystem::path>
         for (Sample& sample : read_samples(folder, kinds, elsewhere))
             found.push_back(std::move(sample));
     }
-    std::stable_partition(found.begin(), found.end(),
-                          [&](const Sample& sample) { return sample.kinds == &kinds; });
+    if (!museum.empty()) {
+        for (Sample& sample : read_samples(museum, kinds, elsewhere)) {
+            sample.of_museum = true;
+            if (sample.phenotype != nullptr) sample.title = creature_name(sample.creature.genome());
+            found.push_back(std::move(sample));
+        }
+    }
+    const auto place = [&](const Sample& sample) {
+        return std::make_tuple(sample.phenotype == nullptr, sample.of_museum,
+                               sample.kinds != &kinds);
+    };
+    std::stable_sort(found.begin(), found.end(),
+                     [&place](const Sample& a, const Sample& b) { return place(a) < place(b); });
     return found;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The sample creatures that come with the program.
+// The sample creatures that come with the program, and those of the user's museum.
 
 #include "creature/phenotype.h"
 #include "evolution/individual/judged_individual.h"
@@ -22,6 +22,7 @@ struct Sample {
     std::shared_ptr<const Phenotype> phenotype;  // null if the file cannot be opened
     JudgedIndividual creature = {};              // with the settings of its file; the same
     const EvolutionKinds* kinds = nullptr;       // of its world; the same
+    bool of_museum = false;                      // rather than of the program
 };
 
 struct SampleLibrary {
@@ -38,8 +39,10 @@ struct SampleLibrary {
 // `kinds` need `elsewhere`.
 std::vector<Sample> read_samples(const std::filesystem::path& folder, const EvolutionKinds& kinds,
                                  const EvolutionKinds* elsewhere = nullptr);
-// Returns those of several folders; those that can take part in the world of `kinds` come first.
+// Returns those of several folders, and last those of the museum (champion_museum.h), if its path
+// is not empty. Of both, those that can take part in the world of `kinds` come first.
 std::vector<Sample> read_sample_folders(const std::vector<std::filesystem::path>& folders,
+                                        const std::filesystem::path& museum,
                                         const EvolutionKinds& kinds,
                                         const EvolutionKinds* elsewhere);
 

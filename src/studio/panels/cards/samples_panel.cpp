@@ -49,6 +49,12 @@ bool draw_tile(const Sample& sample, const SampleLibrary& library, bool aimed, R
     return pressed;
 }
 
+void draw_museum_title() {
+    ImGui::Dummy({0, px(4)});
+    caption("Your museum: the best of each run, one of each body plan");
+    note_place("museum");
+}
+
 }  // namespace
 
 void SamplesPanel::move_by_keys(std::size_t count, int columns) {
@@ -69,8 +75,13 @@ void SamplesPanel::draw_tiles(const SampleLibrary& library, Requests& out) {
                       [](const Sample& each) { return each.phenotype != nullptr; }));
     move_by_keys(whole, columns);
     const bool entered = panel_key(ImGuiKey_Enter);
+    std::size_t first = 0;  // of the program's or of the museum's
     for (std::size_t i = 0; i < whole; ++i) {
-        if (static_cast<int>(i) % columns != 0) ImGui::SameLine(0, px(kSampleGap));
+        if (library.samples[i].of_museum && !library.samples[first].of_museum) {
+            first = i;
+            draw_museum_title();
+        }
+        if (static_cast<int>(i - first) % columns != 0) ImGui::SameLine(0, px(kSampleGap));
         const bool aimed = i == aimed_;
         if (!draw_tile(library.samples[i], library, aimed, out) && !(aimed && entered)) continue;
         out.ask(LoadFile{library.samples[i].path});
