@@ -17,15 +17,17 @@ std::string message_of_typed(const std::string& assignment) {
 }  // namespace
 
 TEST_CASE("settings are typed with or without their table and quotes", "[persist]") {
-    const auto settings = with_typed({},
-                                     {"environment.gravity=1.62", "size=40", "method=rank",
-                                      "goal.behavior=\"swimming\"", "stop-hopeless=true"},
-                                     kinds());
+    const auto settings =
+        with_typed({},
+                   {"environment.gravity=1.62", "size=40", "method=rank",
+                    "goal.behavior=\"swimming\"", "stop-hopeless=true", "terrain-points=0 0; 4 1"},
+                   kinds());
     REQUIRE(settings);
     CHECK(settings->world.environment.gravity == 1.62);
     CHECK(settings->population.size == 40);
     CHECK(settings->selection.method == "rank");
     CHECK(settings->goal == "swimming");
+    CHECK(settings->world.environment.terrain.points == "0 0; 4 1");
     CHECK(settings->terminate_early);
 }
 

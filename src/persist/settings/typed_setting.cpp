@@ -53,7 +53,8 @@ Result<SettingsText> typed_setting(std::string_view assignment, const EvolutionK
     if (fields.empty()) return Error{fmt::format("{}: {}", source, unknown_setting(name, kinds))};
     if (fields.size() > 1) return Error{fmt::format("{}: {}", source, several_settings(fields))};
     const SettingField& field = fields.front();
-    const bool quoted = !field.choices.empty() && !value.starts_with('"');
+    const bool words = !field.choices.empty() || field.check_text;
+    const bool quoted = words && !value.starts_with('"');
     return SettingsText{
         fmt::format("[{}]\n{} = {}", field.table, field.key, quoted ? quoted_text(value) : value),
         source};

@@ -77,7 +77,7 @@ void SamplesPanel::draw_tiles(const SampleLibrary& library, Requests& out) {
     const bool entered = panel_key(ImGuiKey_Enter);
     std::size_t first = 0;  // of the program's or of the museum's
     for (std::size_t i = 0; i < whole; ++i) {
-        if (library.samples[i].of_museum && !library.samples[first].of_museum) {
+        if (library.samples[i].of_museum && (i == 0 || !library.samples[i - 1].of_museum)) {
             first = i;
             draw_museum_title();
         }
