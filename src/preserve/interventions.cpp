@@ -21,8 +21,9 @@ Result<std::uint64_t> change_law(const Intervention& asked, PreserveWorld& world
     Result<SettingsPtr> changed = with_law(world.laws, asked, world.kinds);
     if (!changed) return changed.error();
     world.laws = std::move(*changed);
+    const Environment environment = world.environment();
     for (const auto& each : population.living())
-        each->scene().set_environment(world.laws->world.environment);
+        each->scene().set_environment(environment);
     return asked.number;
 }
 
@@ -53,6 +54,15 @@ std::uint64_t use_walls(std::vector<WallLine> lines, PreserveWorld& world,
     return world.walls.lines().size();
 }
 
+// Returns whether both ends are so deep in the ground that nothing of them is seen.
+bool is_buried(const WallLine& wall, const WorldArea& area) {
+    constexpr double kDeepest = 0.1;  // m
+    const auto is_deep = [&](const Vec3& end) {
+        return area.ground && end.y() < area.ground_at(end.x()) - kDeepest;
+    };
+    return is_deep(wall.from) && is_deep(wall.to);
+}
+
 // Builds a wall. Creatures in its way are moved to the nearest place with room.
 Result<std::uint64_t> build_wall(const Intervention& asked, PreserveWorld& world,
                                  Population& population) {
@@ -65,6 +75,8 @@ Result<std::uint64_t> build_wall(const Intervention& asked, PreserveWorld& world
             fmt::format("There are {} walls already, the most there can be.", kMostFixedBoxes)};
     if (const Status sound = check_wall(wall, world.area); !sound)
         return Error{fmt::format("This wall cannot be built: {}.", sound.error().message)};
+    if (is_buried(wall, world.area))
+        return Error{"This wall cannot be built: it is below the ground."};
     lines.push_back(wall);
     if (Status made = population.make_way(DrawnWalls(lines, world.area.torus())); !made)
         return made.error();

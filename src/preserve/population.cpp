@@ -145,8 +145,7 @@ void Population::welcome(std::unique_ptr<Resident> resident) {
 
 void Population::take_in(std::unique_ptr<Resident> resident) {
     resident->scene().set_fixed_boxes(world_.walls.boxes());
-    if (world_.laws != world_.settings)
-        resident->scene().set_environment(world_.laws->world.environment);
+    if (world_.laws != world_.settings) resident->scene().set_environment(world_.environment());
     resident->give_up_workspace();
     CAMBRIAN_TICK_ASSERT(
         residents_.empty() || residents_.back()->life.number < resident->life.number,

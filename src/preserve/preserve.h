@@ -50,6 +50,7 @@ public:
     const Residents& residents() const { return population_.living(); }
     const Food& plants() const { return world_.energy.plants; }
     const Food& flesh() const { return world_.energy.flesh; }
+    const WorldArea& area() const { return world_.area; }
     const DrawnWalls& walls() const { return world_.walls; }
     const std::vector<LightPatch>& patches() const { return world_.patches; }
     Energy ambient() const { return world_.energy.light; }

@@ -12,35 +12,47 @@ namespace {
 constexpr std::uint64_t kTicksPerRot = 6;  // 0.1 s
 constexpr int kPlantPlaceDraws = 20;       // for a plant of a patch, within the world
 
-template <class Item>
-std::vector<Item> checked(Result<std::vector<Item>> items) {
-    CAMBRIAN_ASSERT(items.has_value(), "settings that were checked");
-    return *std::move(items);
+template <class Value>
+Value checked(Result<Value> value) {
+    CAMBRIAN_ASSERT(value.has_value(), "settings that were checked");
+    return *std::move(value);
 }
 
 Ledger founding_ledger(const PreserveSettings& settings, const WorldArea& area) {
     const Energy all = energy_of(settings.energy_density * area.width * area.height);
-    return {all, all, Food(area.up_to(settings.plant_height)), Food(area.up_to(0.0))};
+    return {all, all, Food(area, settings.plant_height), Food(area, 0.0)};
+}
+
+// Returns the walls of the settings, whose heights are those above the ground.
+std::vector<WallLine> founding_walls(const PreserveSettings& settings, const WorldArea& area) {
+    std::vector<WallLine> walls = checked(walls_of(settings.walls));
+    if (!area.ground) return walls;
+    for (WallLine& wall : walls) {
+        for (Vec3* end : {&wall.from, &wall.to})
+            end->y() = std::min(end->y() + area.ground_at(end->x()), area.top());
+    }
+    return walls;
 }
 
 // Returns where a plant grows: anywhere or, if there are patches of light, around one of them. On
 // ground, the height of a plant does not depend on light.
 Vec3 draw_bright_place(const PreserveWorld& world, RandomStream& draws) {
     const WorldArea& area = world.area;
-    const auto draw_y = [&] {
-        return area.has_ground ? world.settings->preserve.plant_height * draws.uniform()
-                               : area.height * (draws.uniform() - 0.5);
+    const auto draw_y = [&](double x) {
+        return area.has_ground
+                   ? area.ground_at(x) + world.settings->preserve.plant_height * draws.uniform()
+                   : area.height * (draws.uniform() - 0.5);
     };
     for (int draw = 0; draw < kPlantPlaceDraws && !world.patches.empty(); ++draw) {
         const LightPatch& patch = world.patches[draws.below(world.patches.size())];
         const double x = draws.gauss();
         const double y = draws.gauss();
         Vec3 place = patch.center + patch.spread * Vec3(x, y, 0.0);
-        if (area.has_ground) place.y() = draw_y();
+        if (area.has_ground) place.y() = draw_y(place.x());
         if (area.holds(place, 0.0)) return place;
     }
     const double x = area.width * (draws.uniform() - 0.5);
-    return {x, draw_y(), 0.0};
+    return {x, draw_y(x), 0.0};
 }
 
 }  // namespace
@@ -49,9 +61,9 @@ PreserveWorld::PreserveWorld(SettingsPtr founding, const EvolutionKinds& all_kin
     : settings(std::move(founding)),
       laws(settings),
       kinds(all_kinds),
-      area(area_of(settings->preserve, settings->world.environment)),
-      senses(area, settings->world.environment),
-      walls(checked(walls_of(settings->preserve.walls)), area.torus()),
+      area(checked(world_area(*settings))),
+      senses(area, settings->world.environment, &walls),
+      walls(founding_walls(settings->preserve, area), area.torus()),
       patches(checked(patches_of(settings->preserve.patches))),
       energy(founding_ledger(settings->preserve, area)) {}
 

@@ -28,6 +28,8 @@ struct PreserveWorld {
     RandomStream stream(std::uint64_t index, PreserveUse use) const {
         return RandomStream(seed(index, use));
     }
+    // The environment of the creatures under the laws of the moment.
+    Environment environment() const { return world_environment(*laws); }
     // Turns half of the light into plants, so that founders do not starve before any grow.
     void sow();
     // Turns light into plants, and flesh into light.

@@ -63,9 +63,9 @@ void ResidentMotion::make_workspaces(const Residents& residents, std::size_t wor
     workspaces_.resize(std::max(workspaces_.size(), workers));
     for (std::size_t worker = 0; worker < workers && !residents.empty(); ++worker) {
         if (workspaces_[worker]) continue;
-        const auto scene = world_.kinds.creature.scene.make(residents.front()->phenotype().plan,
-                                                            world_.settings->world.environment,
-                                                            world_.settings->world.scene);
+        const auto scene =
+            world_.kinds.creature.scene.make(residents.front()->phenotype().plan,
+                                             world_.environment(), world_.settings->world.scene);
         CAMBRIAN_ASSERT(scene.has_value(), "a resident's body suits physics");
         workspaces_[worker] = (*scene)->take_workspace();
     }

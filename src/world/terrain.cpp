@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <limits>
+#include <mutex>
 #include <utility>
 
 namespace cambrian {
@@ -164,10 +164,36 @@ struct BothSides {
     Terrain::Side right, left;
 };
 
+// Returns the sides of ground that goes round a world. The line leads from the left edge of the
+// world to the right one, where the ground has the same height.
+BothSides sides_round_world(const GroundPoints& line, double width) {
+    GroundPoints round;
+    for (const double shift : {-width, 0.0, width}) {
+        for (const GroundPoint& point : line)
+            round.push_back({point.x + shift, point.y});
+    }
+    straighten(round);
+    BothSides sides;
+    for (const GroundPoint& point : round) {
+        if (point.x > 0.0 && point.x <= width) sides.right.points.push_back(point);
+        if (point.x <= 0.0 && point.x > -width) sides.left.points.push_back({-point.x, point.y});
+    }
+    std::reverse(sides.left.points.begin(), sides.left.points.end());
+    sides.right.period = width;
+    sides.left.period = width;
+    return sides;
+}
+
 Result<BothSides> drawn_sides(const TerrainSettings& settings) {
     Result<GroundPoints> drawn = points_of(settings.points);
     if (!drawn) return drawn.error();
     GroundPoints points = *std::move(drawn);
+    if (settings.world_width > 0.0) {
+        const double edge = 0.5 * settings.world_width;
+        points.insert(points.begin(), {-edge, points.front().y});
+        points.push_back({edge, points.back().y});
+        return sides_round_world(points, settings.world_width);
+    }
     points.insert(points.begin(), {points.front().x - kBeyondDrawn, points.front().y});
     points.push_back({points.back().x + kBeyondDrawn, points.back().y});
     straighten(points);
@@ -180,7 +206,20 @@ Result<BothSides> drawn_sides(const TerrainSettings& settings) {
     return BothSides{side_of_drawn({first, points.end()}), side_of_drawn(std::move(left))};
 }
 
+BothSides sides_of_world(const TerrainSettings& settings) {
+    RandomStream right(stream_seed({settings.seed, 0}));
+    RandomStream left(stream_seed({settings.seed, 1}));
+    GroundPoints line = draw_half_world(settings, left);
+    std::reverse(line.begin(), line.end());
+    for (GroundPoint& point : line)
+        point.x = -point.x;
+    const GroundPoints half = draw_half_world(settings, right);
+    line.insert(line.end(), half.begin(), half.end());
+    return sides_round_world(line, settings.world_width);
+}
+
 BothSides sides_of_kind(const TerrainSettings& settings) {
+    if (settings.world_width > 0.0) return sides_of_world(settings);
     const bool mirrored = settings.sides == "mirrored";
     RandomStream stream(stream_seed({settings.seed, 0}));
     Terrain::Side right = draw_side(settings, stream);
@@ -194,6 +233,32 @@ bool is_level(const Terrain::Side& side) {
                                            [](const GroundPoint& point) { return point.y == 0.0; });
 }
 
+// Grounds that are in use. The scenes of one world share theirs, which may be large.
+class GroundsInUse {
+public:
+    std::shared_ptr<const Terrain> find(const TerrainSettings& settings) {
+        const std::lock_guard lock(mutex_);
+        for (const auto& [known, ground] : grounds_) {
+            if (known == settings) return ground.lock();
+        }
+        return nullptr;
+    }
+    void add(const TerrainSettings& settings, const std::shared_ptr<const Terrain>& ground) {
+        const std::lock_guard lock(mutex_);
+        std::erase_if(grounds_, [](const auto& each) { return each.second.expired(); });
+        grounds_.emplace_back(settings, ground);
+    }
+
+private:
+    std::mutex mutex_;
+    std::vector<std::pair<TerrainSettings, std::weak_ptr<const Terrain>>> grounds_;
+};
+
+GroundsInUse& grounds_in_use() {
+    static GroundsInUse grounds;
+    return grounds;
+}
+
 }  // namespace
 
 Status check_ground_points(const std::string& text) {
@@ -204,6 +269,7 @@ Status check_ground_points(const std::string& text) {
 Result<std::shared_ptr<const Terrain>> Terrain::make(const TerrainSettings& settings) {
     std::shared_ptr<const Terrain> flat;
     if (settings.is_flat()) return flat;
+    if (auto known = grounds_in_use().find(settings)) return known;
     BothSides sides;
     if (settings.kind == "drawn") {
         Result<BothSides> drawn = drawn_sides(settings);
@@ -215,8 +281,9 @@ Result<std::shared_ptr<const Terrain>> Terrain::make(const TerrainSettings& sett
         straighten(sides.left.points);
     }
     if (is_level(sides.right) && is_level(sides.left)) return flat;
-    return std::shared_ptr<const Terrain>(
-        new Terrain(std::move(sides.right), std::move(sides.left)));
+    std::shared_ptr<const Terrain> made(new Terrain(std::move(sides.right), std::move(sides.left)));
+    grounds_in_use().add(settings, made);
+    return made;
 }
 
 Terrain::Terrain(Side right, Side left)
@@ -316,6 +383,17 @@ double Terrain::height(double x) const {
     const GroundPiece here = piece(piece_at(x));
     if (here.way_x == 0.0) return here.end_y;
     return here.y + (x - here.x) * (here.way_y / here.way_x);
+}
+
+Terrain::Heights Terrain::heights(double left, double right) const {
+    std::vector<GroundPoint> points;
+    list_points(left, right, points);
+    Heights heights{points.front().y, points.front().y};
+    for (const GroundPoint& point : points) {
+        heights.lowest = std::min(heights.lowest, point.y);
+        heights.highest = std::max(heights.highest, point.y);
+    }
+    return heights;
 }
 
 void Terrain::list_points(double left, double right, std::vector<GroundPoint>& points) const {

@@ -44,8 +44,8 @@ Status check_ground_points(const std::string& text);
 
 class Terrain {
 public:
-    // Returns the ground that the settings describe, or null if it is flat. Fails, with the place,
-    // for points that make no ground.
+    // Returns the ground that the settings describe, or null if it is flat. Equal settings share
+    // one ground while it is in use. Fails, with the place, for points that make no ground.
     static Result<std::shared_ptr<const Terrain>> make(const TerrainSettings& settings);
 
     // Pieces are numbered from left to right; piece 0 is the one at the start. Returns the piece
@@ -54,6 +54,11 @@ public:
     GroundPiece piece(int number) const;
     // Returns the height of the ground at x; at a step, that of its outer side.
     double height(double x) const;
+    struct Heights {
+        double lowest = 0.0, highest = 0.0;  // m
+    };
+    // Returns those of all pieces above which some place between the bounds is.
+    Heights heights(double left, double right) const;
     // Appends the points of the ground from left to right, the first and last not within the
     // bounds.
     void list_points(double left, double right, std::vector<GroundPoint>& points) const;

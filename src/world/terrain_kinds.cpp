@@ -21,6 +21,8 @@ public:
     void run(double length) { go_to(x() + length, y()); }
     void rise(double height) { go_to(x(), y() + height); }
     std::vector<GroundPoint> take() { return std::move(points_); }
+    std::size_t size() const { return points_.size(); }
+    void cut_to(std::size_t size) { points_.resize(size); }
 
 private:
     std::vector<GroundPoint> points_ = {{0.0, 0.0}};
@@ -141,12 +143,57 @@ DrawFeature feature_of(std::string_view id) {
     return draw_slope;
 }
 
-}  // namespace
-
-Terrain::Side draw_side(const TerrainSettings& at_full_level, RandomStream& stream) {
+TerrainSettings in_force(const TerrainSettings& at_full_level) {
     TerrainSettings settings = at_full_level;
     settings.height *= settings.level;
     settings.gap = std::max(settings.gap * settings.level, kLeastGap);
+    return settings;
+}
+
+// Returns by how much the ground rises away from the level ground at the start, for each metre.
+double steepness_of(const TerrainSettings& settings) {
+    const SineCosine slope = sine_cosine_of_degrees(settings.slope);
+    return settings.level * (slope.sine / slope.cosine);
+}
+
+// Draws what comes last before the edge of a world, so that the other side may follow.
+void draw_last(DrawFeature draw, const TerrainSettings& settings, RandomStream& stream,
+               GroundLine& line) {
+    draw(settings, 0.0, stream, line);
+    if (draw == draw_hurdle) line.run(settings.spacing);
+}
+
+// Draws features up to a distance; the last one ends before it, or there is none.
+void draw_up_to(double length, const TerrainSettings& settings, RandomStream& stream,
+                GroundLine& line) {
+    const DrawFeature draw = feature_of(settings.kind);
+    if (draw == draw_slope) {
+        line.run(length);
+        return;
+    }
+    std::size_t fitting = 0;
+    RandomStream fitting_end = stream;
+    for (;;) {
+        const std::size_t begun = line.size();
+        RandomStream last = stream;
+        draw_last(draw, settings, last, line);
+        const bool fits = line.x() <= length;
+        line.cut_to(begun);
+        if (!fits) break;
+        fitting = begun;
+        fitting_end = stream;
+        const double share = stream.uniform();
+        draw(settings, share, stream, line);
+    }
+    if (fitting == 0) return;
+    line.cut_to(fitting);
+    draw_last(draw, settings, fitting_end, line);
+}
+
+}  // namespace
+
+Terrain::Side draw_side(const TerrainSettings& at_full_level, RandomStream& stream) {
+    const TerrainSettings settings = in_force(at_full_level);
     const DrawFeature draw = feature_of(settings.kind);
     GroundLine line;
     while (line.x() < kGroundPeriod) {
@@ -159,14 +206,34 @@ Terrain::Side draw_side(const TerrainSettings& at_full_level, RandomStream& stre
     side.rise = line.y();
     side.points = line.take();
     side.points.pop_back();  // the first one of the next round
-    const SineCosine slope = sine_cosine_of_degrees(settings.slope);
-    const double steepness = settings.level * (slope.sine / slope.cosine);
+    const double steepness = steepness_of(settings);
     for (GroundPoint& point : side.points) {
         point.y += steepness * point.x;
         point.x += settings.pad;
     }
     side.rise += steepness * side.period;
     return side;
+}
+
+// Features are stretched to end at the edge.
+std::vector<GroundPoint> draw_half_world(const TerrainSettings& at_full_level,
+                                         RandomStream& stream) {
+    const TerrainSettings settings = in_force(at_full_level);
+    const double edge = 0.5 * settings.world_width;
+    const double length = edge - settings.pad;
+    GroundLine line;
+    draw_up_to(length, settings, stream, line);
+    if (!(line.x() > 0.0)) line.run(length);
+    const double stretch = length / line.x();
+    const double steepness = steepness_of(settings);
+    std::vector<GroundPoint> points = line.take();
+    for (GroundPoint& point : points) {
+        point.x *= stretch;
+        point.y += steepness * point.x;
+        point.x = std::min(point.x + settings.pad, edge);
+    }
+    points.back().x = edge;
+    return points;
 }
 
 }  // namespace cambrian

@@ -20,4 +20,8 @@ inline constexpr double kCourseSection = 3.0;    // m, of one obstacle of a cour
 // kTerrainIds but neither "flat" nor "drawn".
 Terrain::Side draw_side(const TerrainSettings& settings, RandomStream& stream);
 
+// Returns the points of one side from the middle of a world to its edge, which is half a width
+// away. Unless the ground rises, it ends at height 0.
+std::vector<GroundPoint> draw_half_world(const TerrainSettings& settings, RandomStream& stream);
+
 }  // namespace cambrian

@@ -34,6 +34,9 @@ struct TerrainSettings {
     double level = 1.0;
     bool ladder = false;      // evolution raises the level (evolution/README.md 8)
     std::string points = {};  // of drawn ground: "x y; x y; ..."
+    // m; the ground repeats after so far, as round a world whose edges meet. 0: it goes on without
+    // an end. No file names it.
+    double world_width = 0.0;
 
     bool is_flat() const { return kind == "flat"; }
 

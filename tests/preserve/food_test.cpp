@@ -9,7 +9,7 @@
 namespace cambrian {
 namespace {
 
-constexpr WorldArea kArea{10.0, 8.0};
+const WorldArea kArea{10.0, 8.0};
 
 Energy sum_of(std::span<const Pellet> pellets) {
     return std::accumulate(pellets.begin(), pellets.end(), Energy{0},

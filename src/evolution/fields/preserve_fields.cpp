@@ -1,5 +1,6 @@
 // The settings of a preserve: its own table, and those of an experiment that also hold in it.
 
+#include "core/text/number_rows.h"
 #include "core/text/number_text.h"
 #include "evolution/fields/setting_field.h"
 #include "evolution/fields/setting_table.h"
@@ -145,15 +146,101 @@ Status check_places(const Settings& s) {
     return check_each(patches_of(laws.patches), "patches", "patch", area, check_patch);
 }
 
+// Settings of the ground of trials that a world has no use for: it has no start, and what nobody
+// can leave or reach would keep the energy of plants for ever.
+constexpr std::array<std::string_view, 5> kForeignGround = {
+    "terrain-gap", "terrain-sides", "terrain-same", "terrain-level", "terrain-ladder"};
+constexpr std::array<std::string_view, 2> kForeignKinds = {"gaps", "course"};
+
+template <std::size_t kCount>
+bool is_among(const std::array<std::string_view, kCount>& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Gives settings of the ground their meaning in a world.
+void adapt_ground(SettingField& field) {
+    if (field.key == "terrain")
+        std::erase_if(field.choices, [](const auto& id) { return is_among(kForeignKinds, id); });
+    if (field.key == "terrain-pad")
+        field.help = "The distance from the middle of the world up to which the ground is level.";
+    if (field.key == "terrain-slope")
+        field.help =
+            "The angle at which the ground rises away from the middle, besides its other shape.";
+    if (field.key == "terrain-seed")
+        field.help =
+            "The number of this ground among all that chance may draw from the world's seed.";
+}
+
+Error at_key(const char* key, const std::string& what) {
+    return {fmt::format("[environment] {}: {}", key, what)};
+}
+
+// Whether the shapes fit between the middle of the world and its edge.
+Status check_ground_fits(const Settings& s) {
+    constexpr double kFewest = 3.0;  // distances from one shape to the next, on each side
+    const TerrainSettings& terrain = s.world.environment.terrain;
+    const double room = 0.5 * s.preserve.width - terrain.pad;
+    if (room <= 0.0)
+        return at_key("terrain-pad",
+                      fmt::format("expected less than half of the world's width of {} m, found {} "
+                                  "m",
+                                  short_text(s.preserve.width), short_text(terrain.pad)));
+    if (terrain.kind == "slope" || terrain.spacing * kFewest <= room) return {};
+    return at_key(
+        "terrain-spacing",
+        fmt::format("a world {} m wide has {} m of it on each side of its level middle; "
+                    "expected at most a third of that, found {} m",
+                    short_text(s.preserve.width), short_text(room), short_text(terrain.spacing)));
+}
+
+// Drawn ground lies within the world, and joins itself where edges meet.
+Status check_drawn_ground(const Settings& s) {
+    const auto rows = number_rows(s.world.environment.terrain.points,
+                                  {2, kMostGroundPoints, "point", "\"x y; x y; ...\" in m"});
+    if (!rows) return at_key("terrain-points", rows.error().message);
+    const double edge = 0.5 * s.preserve.width;
+    for (std::size_t i = 0; i < rows->size(); ++i) {
+        const double x = (*rows)[i][0];
+        if (std::max(x, -x) > edge)
+            return at_key("terrain-points",
+                          fmt::format("point {} is at x = {} m, outside the world; expected "
+                                      "[{}, {}]",
+                                      i + 1, short_text(x), short_text(-edge), short_text(edge)));
+    }
+    const double first = rows->front()[1];
+    const double last = rows->back()[1];
+    if (!wraps(s.preserve) || first == last) return {};
+    return at_key("terrain-points",
+                  fmt::format("the first point is at a height of {} m and the last at {} m; "
+                              "expected the same, since the edges of the world meet",
+                              short_text(first), short_text(last)));
+}
+
+Status check_ground(const Settings& s) {
+    constexpr double kLeastSky = 2.0;  // m above the highest place
+    const TerrainSettings& terrain = s.world.environment.terrain;
+    if (terrain.is_flat()) return {};
+    if (Status sound = setting_table::check_terrain(s); !sound) return sound;
+    if (Status fits = terrain.kind == "drawn" ? check_drawn_ground(s) : check_ground_fits(s); !fits)
+        return fits;
+    const Result<WorldArea> area = world_area(s);
+    if (!area) return at_key("terrain", area.error().message);
+    if (!area->ground) return {};
+    const double highest = area->ground->heights(area->left(), -area->left()).highest;
+    if (highest + kLeastSky <= area->height) return {};
+    return at_key("terrain",
+                  fmt::format("the ground is up to {:.2f} m high in a world of {} m; expected at "
+                              "least {} m above it",
+                              highest, short_text(area->height), short_text(kLeastSky)));
+}
+
 Status check_world(const Settings& s) {
     if (s.world.environment.has_light && s.world.environment.light_motion != "still")
         return Error{
             fmt::format("[environment] light-motion: a preserve's light does not move; expected "
                         "\"still\", found \"{}\"",
                         s.world.environment.light_motion)};
-    if (!s.world.environment.terrain.is_flat())
-        return Error{"[environment] terrain: the ground of a preserve is flat; expected \"flat\""};
-    return {};
+    return check_ground(s);
 }
 
 }  // namespace
@@ -189,10 +276,10 @@ std::vector<SettingField> preserve_fields(const EvolutionKinds& kinds) {
     add_life(table);
     add_places(table);
     for (SettingField& field : setting_fields(kinds)) {
-        const bool foreign = std::find(kForeignTables.begin(), kForeignTables.end(), field.table) !=
-                             kForeignTables.end();
-        if (foreign && field.key != "seed") continue;
-        if (!setting_table::is_of_terrain(field)) fields.push_back(std::move(field));
+        if (is_among(kForeignTables, field.table) && field.key != "seed") continue;
+        if (is_among(kForeignGround, field.key)) continue;
+        if (setting_table::is_of_terrain(field)) adapt_ground(field);
+        fields.push_back(std::move(field));
     }
     return fields;
 }

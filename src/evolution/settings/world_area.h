@@ -2,24 +2,31 @@
 
 // The area of a preserve. The origin is its middle or, with ground, the middle of the ground.
 
+#include "core/result.h"
 #include "evolution/settings/preserve_settings.h"
 #include "math/torus.h"
 #include "math/types.h"
 #include "world/environment.h"
+#include "world/terrain.h"
 
 #include <algorithm>
+#include <memory>
 #include <string>
 
 namespace cambrian {
+
+struct ExperimentSettings;
 
 struct WorldArea {
     double width = 0.0;       // m
     double height = 0.0;      // m
     bool has_ground = false;  // at height 0, in place of the lower wall
     bool wraps = false;       // opposite edges meet; with ground, the left and the right one
+    std::shared_ptr<const Terrain> ground = nullptr;  // its shape; null if it is flat
+    double lowest = 0.0;                              // m, of the ground; at most 0
 
     double left() const { return -0.5 * width; }
-    double bottom() const { return has_ground ? 0.0 : -0.5 * height; }
+    double bottom() const { return has_ground ? lowest : -0.5 * height; }
     double top() const { return has_ground ? height : 0.5 * height; }
     Vec3 middle() const { return {0.0, has_ground ? 0.5 * height : 0.0, 0.0}; }
     // Whether there are walls there.
@@ -48,16 +55,22 @@ struct WorldArea {
     }
     // Returns the image of that point in the area.
     Vec3 nearest(const Vec3& point) const { return torus().shortest(between_walls(point)); }
-    // With ground, returns the part of the area up to this height (m).
-    WorldArea up_to(double limit) const {
-        return has_ground ? WorldArea{width, std::min(height, limit), true, wraps} : *this;
-    }
+    double ground_at(double x) const { return ground ? ground->height(x) : 0.0; }  // m
+    // Returns the height of the ground or the lower edge at x, in m.
+    double foot_at(double x) const { return has_ground ? ground_at(x) : bottom(); }
     Bounds bounds() const { return {{left(), bottom(), 0.0}, {-left(), top(), 0.0}}; }
 };
+
+// Returns the environment of the creatures of a preserve. Ground with a shape follows from the
+// seed, and joins itself where edges meet.
+Environment world_environment(const ExperimentSettings& settings);
+// Returns the area with its ground. Fails for points that make none.
+Result<WorldArea> world_area(const ExperimentSettings& settings);
 
 // Returns "40 m x 25 m", and that it is above the ground if there is one.
 std::string size_text(const WorldArea& area);
 
+// Returns the area without the shape of its ground.
 inline WorldArea area_of(const PreserveSettings& settings, const Environment& environment) {
     return {settings.width, settings.height, environment.has_ground, wraps(settings)};
 }

@@ -21,7 +21,8 @@ void add_walls(SceneFrame& frame, const Palette& palette, const Camera& camera,
     };
     constexpr double kFar = 1e6;
     const double end = area.has_sides() ? right : kFar;  // of the top and the bottom
-    const bool has_floor = area.has_ground || area.has_bottom();
+    // Scenery shows the ground, and ground with a shape is drawn by itself.
+    const bool has_floor = area.has_ground ? !scenery && !area.ground : area.has_bottom();
     if (area.has_sides()) {
         fill(-kFar, -kFar, -right, kFar, palette.window);
         fill(right, -kFar, kFar, kFar, palette.window);
@@ -29,25 +30,24 @@ void add_walls(SceneFrame& frame, const Palette& palette, const Camera& camera,
     // Above a meadow is more of its sky.
     const bool open_sky = scenery && area.has_ground;
     if (area.has_top() && !open_sky) fill(-kFar, top, kFar, kFar, palette.window);
-    if (has_floor && !(scenery && area.has_ground))
+    if (has_floor)
         fill(-kFar, -kFar, kFar, bottom, area.has_ground ? palette.ground : palette.window);
     if (area.has_sides()) {
-        fill(-right - wall, bottom - wall, -right, top + wall, palette.ground_line);
-        fill(right, bottom - wall, right + wall, top + wall, palette.ground_line);
+        fill(-right - wall, area.foot_at(-right) - wall, -right, top + wall, palette.ground_line);
+        fill(right, area.foot_at(right) - wall, right + wall, top + wall, palette.ground_line);
     }
     if (area.has_top() && !open_sky) fill(-end, top, end, top + wall, palette.ground_line);
-    if (has_floor && !(scenery && area.has_ground))
-        fill(-end, bottom - wall, end, bottom, palette.ground_line);
+    if (has_floor) fill(-end, bottom - wall, end, bottom, palette.ground_line);
 }
 
 void add_seams(SceneFrame& frame, const Palette& palette, const Camera& camera,
                const WorldArea& area) {
-    const Vec2 corner(area.left(), area.bottom());
+    const Vec2 corner(area.left(), area.foot_at(area.left()));
     const auto line = [&](const Vec2& to) {
         frame.add_line(corner, to, camera.pixel(), palette.ground_line);
     };
     if (!area.has_sides()) line({area.left(), area.top()});
-    if (!area.has_top()) line({-area.left(), area.bottom()});
+    if (!area.has_top()) line({-area.left(), corner.y()});
 }
 
 std::vector<Vec2> image_shifts(const WorldArea& area) {

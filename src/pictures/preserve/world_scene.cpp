@@ -5,6 +5,7 @@
 #include "pictures/scene/lit_color.h"
 #include "pictures/scene/scene_builder.h"
 #include "pictures/scene/scenery.h"
+#include "pictures/scene/shaped_ground.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,8 +33,9 @@ const Color kDustColor = color_of(0xD8CFC4);
 // Paints each patch as discs around its middle, so that it is brightest there.
 void add_patches(SceneFrame& frame, const PreservePicture& picture) {
     for (const LightPatch& patch : picture.patches) {
+        const Vec2 up(0.0, picture.area.ground_at(patch.center.x()));
         for (const double deviations : {2.0, 1.5, 1.0, 0.5})
-            frame.add_circle(patch.center.head<2>(), deviations * patch.spread,
+            frame.add_circle(patch.center.head<2>() + up, deviations * patch.spread,
                              with_alpha(kPatchColor, 0.05F));
     }
 }
@@ -60,11 +62,13 @@ void add_plants(SceneFrame& frame, const Camera& camera, const PreservePicture& 
         const Vec2 top(plant.x, plant.y);
         if (picture.area.has_ground) {
             const double leaf = kLeaf + 0.015 * std::sin(1.3 * time + 3.0 * plant.x);
-            frame.add_line({plant.x, 0.0}, top, width, stalk);
-            frame.add_line({plant.x, 0.3 * plant.y}, {plant.x - leaf, 0.55 * plant.y}, width,
-                           stalk);
-            frame.add_line({plant.x, 0.5 * plant.y}, {plant.x + leaf, 0.75 * plant.y}, width,
-                           stalk);
+            const double foot = picture.area.ground_at(plant.x);
+            const auto at = [&](double aside, double share) {
+                return Vec2(plant.x + aside, foot + share * (plant.y - foot));
+            };
+            frame.add_line(at(0.0, 0.0), top, width, stalk);
+            frame.add_line(at(0.0, 0.3), at(-leaf, 0.55), width, stalk);
+            frame.add_line(at(0.0, 0.5), at(leaf, 0.75), width, stalk);
         }
         frame.add_circle(top, radius, fine ? mix(fruit, color_of(0x0A1A10), 0.45F) : fruit);
         if (!fine) continue;
@@ -144,6 +148,7 @@ void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
     frame.background = palette.sky;
     const ShownWorld shown{marks.look, picture.area, picture.tick};
     const bool scenery = marks.scenery && marks.look != LookMode::kMechanics;
+    use_ground(frame, picture.area.ground.get(), camera, viewport);
     if (scenery) {
         const DrawnWorld& world =
             drawn_world(world_kind_of(picture.laws->world.environment), *marks.scenery);
@@ -159,6 +164,7 @@ void add_world(SceneFrame& frame, const Palette& palette, const Camera& camera,
     const std::size_t lowest = frame.shapes.size();
     add_patches(frame, picture);
     repeat_from(lowest, frame, window, shifts);
+    if (!scenery && picture.area.ground) add_ground(frame, palette, camera, viewport);
     add_walls(frame, palette, camera, viewport, picture.area, scenery);
     const std::size_t first = frame.shapes.size();
     add_seams(frame, palette, camera, picture.area);

@@ -1,7 +1,5 @@
 #include "pictures/scene/shaped_ground.h"
 
-#include "world/terrain.h"
-
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -25,21 +23,24 @@ std::shared_ptr<const Terrain> ground_in(const TerrainSettings& settings) {
     return last.back().second;
 }
 
-}  // namespace
-
-double land_level(const Environment& environment, double x) {
+double level_around(const Terrain& ground, double x) {
     constexpr int kPlaces = 12;      // to either side
     constexpr double kApart = 0.25;  // m
-    const auto terrain = ground_in(environment.terrain);
-    if (!terrain) return 0.0;
     double sum = 0.0;
     double weights = 0.0;
     for (int i = -kPlaces; i <= kPlaces; ++i) {
         const double weight = 1.0 + kPlaces - std::abs(i);
-        sum += weight * terrain->height(x + kApart * i);
+        sum += weight * ground.height(x + kApart * i);
         weights += weight;
     }
     return sum / weights;
+}
+
+}  // namespace
+
+double land_level(const Environment& environment, double x) {
+    const auto terrain = ground_in(environment.terrain);
+    return terrain ? level_around(*terrain, x) : 0.0;
 }
 
 double ground_height(const Environment& environment, double x) {
@@ -49,17 +50,21 @@ double ground_height(const Environment& environment, double x) {
 
 void use_ground(SceneFrame& frame, const Environment& environment, const Camera& camera,
                 const Viewport& viewport) {
+    const bool is_shaped = environment.has_ground && !environment.terrain.is_flat();
+    use_ground(frame, is_shaped ? ground_in(environment.terrain).get() : nullptr, camera, viewport);
+}
+
+void use_ground(SceneFrame& frame, const Terrain* ground, const Camera& camera,
+                const Viewport& viewport) {
     frame.ground = {};
-    if (!environment.has_ground || environment.terrain.is_flat()) return;
-    const auto terrain = ground_in(environment.terrain);
-    if (!terrain) return;
+    if (ground == nullptr) return;
     constexpr double kBeyond = 1.0;  // m
     const WorldWindow window = camera.window(viewport);
     std::vector<GroundPoint> points;
-    terrain->list_points(window.low.x() - kBeyond, window.high.x() + kBeyond, points);
+    ground->list_points(window.low.x() - kBeyond, window.high.x() + kBeyond, points);
     for (const GroundPoint& point : points)
         frame.ground.surface.emplace_back(point.x, point.y);
-    frame.ground.level = land_level(environment, camera.center.x());
+    frame.ground.level = level_around(*ground, camera.center.x());
 }
 
 }  // namespace cambrian

@@ -5,6 +5,7 @@
 #include "render/camera.h"
 #include "render/scene_frame.h"
 #include "world/environment.h"
+#include "world/terrain.h"
 
 namespace cambrian {
 
@@ -17,6 +18,9 @@ double ground_height(const Environment& environment, double x);
 // Gives the frame the surface of the ground in the view. Flat ground has none. It must come before
 // everything that stands on the ground.
 void use_ground(SceneFrame& frame, const Environment& environment, const Camera& camera,
+                const Viewport& viewport);
+// The same for ground that is known; null if it is flat.
+void use_ground(SceneFrame& frame, const Terrain* ground, const Camera& camera,
                 const Viewport& viewport);
 
 }  // namespace cambrian

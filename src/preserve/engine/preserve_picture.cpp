@@ -16,10 +16,9 @@ const ResidentPicture* PreservePicture::find(std::uint64_t number) const {
 }
 
 void PreserveCamera::take(const Preserve& preserve, PreservePicture& picture) {
-    const PreserveSettings& laws = preserve.settings()->preserve;
     picture.tick = preserve.ticks();
     picture.laws = preserve.laws();
-    picture.area = area_of(laws, preserve.settings()->world.environment);
+    picture.area = preserve.area();
     picture.walls = preserve.walls().rectangles();
     picture.patches = preserve.patches();
     picture.now = preserve.row();
@@ -45,7 +44,7 @@ LiveBrain PreserveCamera::brain_in(const Preserve& preserve) const {
 
 std::vector<ResidentPicture> PreserveCamera::residents_of(const Preserve& preserve) {
     const PreserveSettings& laws = preserve.settings()->preserve;
-    const Torus torus = area_of(laws, preserve.settings()->world.environment).torus();
+    const Torus torus = preserve.area().torus();
     std::vector<ResidentPicture> pictures;
     std::vector<Known> living;
     pictures.reserve(preserve.residents().size());

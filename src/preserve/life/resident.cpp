@@ -2,9 +2,11 @@
 
 #include "creature/overlap.h"
 #include "preserve/world/fastest_point.h"
+#include "preserve/world/rectangle.h"
 #include "preserve/world/walls.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace cambrian {
@@ -13,7 +15,7 @@ Result<std::unique_ptr<PhysicsScene>> scene_of(const Phenotype& body, const Kind
                                                const ExperimentSettings& settings) {
     if (settings.expression.strict_overlap && overlaps_itself(body.plan))
         return Error{"parts overlap that no joint connects"};
-    return kinds.scene.make(body.plan, settings.world.environment, settings.world.scene);
+    return kinds.scene.make(body.plan, world_environment(settings), settings.world.scene);
 }
 
 Result<std::unique_ptr<Resident>> Resident::grow(Life begun, const Kinds& kinds,
@@ -62,8 +64,13 @@ void Resident::find_places() {
     if (is_solid(settings_->preserve)) fastest_ = fastest_point(*scene_);
 }
 
-Vec3 Resident::standing_at(double x) const {
-    return {x, center_.y() - bounds_.low.y() + kStartClearance, 0.0};
+Vec3 Resident::standing_at(double x, const WorldArea& area) const {
+    if (!area.ground) return {x, center_.y() - bounds_.low.y() + kStartClearance, 0.0};
+    const Vec3 aside(x - center_.x(), 0.0, 0.0);
+    double sunk = -std::numeric_limits<double>::infinity();
+    for (const Rectangle& part : rectangles_)
+        sunk = std::max(sunk, depth_below(*area.ground, moved(part, aside)));
+    return {x, center_.y() + sunk + kStartClearance, 0.0};
 }
 
 void Resident::place(const Vec3& center, const Vec3& velocity) {

@@ -43,8 +43,8 @@ public:
 
     // Gives up what is needed only while it is placed: call it once it has its place.
     void give_up_workspace() { scene_->take_workspace(); }
-    // Returns the centre of mass of its present pose when the lowest corner is at the ground.
-    Vec3 standing_at(double x) const;
+    // Returns the centre of mass of its present pose when it stands on the ground.
+    Vec3 standing_at(double x, const WorldArea& area) const;
     // Moves the centre of mass, and gives all parts that velocity.
     void place(const Vec3& center, const Vec3& velocity);
     // Lets it collide with these boxes instead of those before.

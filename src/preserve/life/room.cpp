@@ -40,7 +40,7 @@ Vec3 spiral_direction(double index) {
 }
 
 Vec3 Room::footing(const Vec3& place, const Resident& resident) const {
-    return area_.has_ground ? resident.standing_at(place.x()) : place;
+    return area_.has_ground ? resident.standing_at(place.x(), area_) : place;
 }
 
 bool Room::is_free(const Bounds& bounds, const Resident& of) const {
@@ -84,7 +84,7 @@ Vec3 Room::birth_place(const Resident& parent, const Resident& child, const Birt
     const double x = which % 2 == 0
                          ? parent.bounds().high.x() + away + child.center().x() - own.low.x()
                          : parent.bounds().low.x() - away + child.center().x() - own.high.x();
-    return child.standing_at(x);
+    return child.standing_at(x, area_);
 }
 
 }  // namespace cambrian

@@ -2,8 +2,11 @@
 
 #include "math/angle.h"
 #include "simulator/settings/trial_settings.h"
+#include "simulator/surroundings/ground_ray.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cambrian {
 namespace {
@@ -20,7 +23,7 @@ int cells_in(double length, bool meet) {
 ScentArea scent_area(const WorldArea& area) {
     const Torus torus = area.torus();
     const int columns = cells_in(area.width, torus.width > 0.0);
-    const int rows = cells_in(area.height, torus.height > 0.0);
+    const int rows = cells_in(area.top() - area.bottom(), torus.height > 0.0);
     return {.left = torus.width > 0.0 ? -0.5 * kScentCell * columns : area.left(),
             .bottom = torus.height > 0.0 ? -0.5 * kScentCell * rows : area.bottom(),
             .columns = columns,
@@ -40,9 +43,12 @@ double stretch(double period, int cells) {
 
 }  // namespace
 
-CommonSenses::CommonSenses(const WorldArea& area, const Environment& environment)
+CommonSenses::CommonSenses(const WorldArea& area, const Environment& environment,
+                           const DrawnWalls* walls)
     : environment_(environment),
       torus_(area.torus()),
+      ground_(area.ground),
+      walls_(walls),
       light_(environment, {}),
       sounds_(torus_),
       scent_(scent_area(area)),
@@ -69,6 +75,13 @@ double CommonSenses::sound(const Vec3& point, int band, std::uint64_t creature) 
 Vec3 CommonSenses::in_fields(const Vec3& point) const {
     if (!torus_.meets()) return point;
     return torus_.shortest(point).cwiseProduct(stretch_);
+}
+
+double CommonSenses::distance_to_ground(const Vec3& from, const Vec3& direction,
+                                        double reach) const {
+    if (!ground_ || environment_.numb) return std::numeric_limits<double>::infinity();
+    const double ground = distance_to_terrain(*ground_, from, direction, reach);
+    return walls_ == nullptr ? ground : std::min(ground, walls_->distance(from, direction, reach));
 }
 
 void CommonSenses::give_off(const Food& pellets, ScentField& field) const {

@@ -4,6 +4,7 @@
 // food. It changes between two ticks only.
 
 #include "evolution/settings/world_area.h"
+#include "preserve/world/drawn_walls.h"
 #include "preserve/world/food.h"
 #include "simulator/surroundings/light_source.h"
 #include "simulator/surroundings/loudness_sum.h"
@@ -13,12 +14,15 @@
 #include "world/surroundings.h"
 
 #include <cstdint>
+#include <memory>
 
 namespace cambrian {
 
 class CommonSenses {
 public:
-    CommonSenses(const WorldArea& area, const Environment& environment);
+    // The walls, if any, must outlive the object.
+    CommonSenses(const WorldArea& area, const Environment& environment,
+                 const DrawnWalls* walls = nullptr);
 
     const Environment& environment() const { return environment_; }
     Vec3 up() const { return up_; }
@@ -27,6 +31,12 @@ public:
     double scent(const Vec3& point) const { return concentration(scent_, point); }
     double plant_smell(const Vec3& point) const { return concentration(plants_, point); }
     double flesh_smell(const Vec3& point) const { return concentration(flesh_, point); }
+
+    // On flat ground, nobody senses the ground, as in worlds of before it had a shape.
+    double distance_to_ground(const Vec3& from, const Vec3& direction, double reach) const;
+    double ground_height(double x) const {
+        return ground_ && !environment_.numb ? ground_->height(x) : 0.0;
+    }
 
     // Take what creatures gave off in a tick: after begin_tick(), each creature's in ascending
     // order of numbers, then end_tick().
@@ -53,6 +63,8 @@ private:
 
     Environment environment_;
     Torus torus_;
+    std::shared_ptr<const Terrain> ground_;  // null if it is flat
+    const DrawnWalls* walls_;
     Vec3 stretch_;
     Vec3 up_ = Vec3::Zero();
     LightSource light_;
@@ -75,6 +87,11 @@ public:
     double scent(const Vec3& point) const override { return common_.scent(point); }
     double plant_smell(const Vec3& point) const override { return common_.plant_smell(point); }
     double flesh_smell(const Vec3& point) const override { return common_.flesh_smell(point); }
+    double distance_to_ground(const Vec3& from, const Vec3& direction,
+                              double reach) const override {
+        return common_.distance_to_ground(from, direction, reach);
+    }
+    double ground_height(double x) const override { return common_.ground_height(x); }
     double energy() const override { return energy_; }
     void set_energy(double energy) { energy_ = energy; }
 

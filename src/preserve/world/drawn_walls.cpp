@@ -1,6 +1,9 @@
 #include "preserve/world/drawn_walls.h"
 
+#include "simulator/surroundings/ground_ray.h"
+
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace cambrian {
@@ -66,6 +69,17 @@ std::optional<std::size_t> DrawnWalls::nearest(const Vec3& point, double distanc
         distance = there;
     });
     return found;
+}
+
+double DrawnWalls::distance(const Vec3& from, const Vec3& direction, double reach) const {
+    Bounds way;
+    way.add(from);
+    way.add(from + reach * direction);
+    double nearest = std::numeric_limits<double>::infinity();
+    visit(way, [&](std::size_t index, const Vec3& shift) {
+        nearest = std::min(nearest, distance_to_box(boxes_[index], from - shift, direction));
+    });
+    return nearest;
 }
 
 bool DrawnWalls::meet(const Bounds& bounds) const {

@@ -32,6 +32,10 @@ public:
     // Returns the index of the wall nearest to a point, if it is within a distance (m).
     std::optional<std::size_t> nearest(const Vec3& point, double distance) const;
 
+    // Returns the distance in m from a point along a unit vector to a wall, if one is within reach
+    // (m); infinity if there is none.
+    double distance(const Vec3& from, const Vec3& direction, double reach) const;
+
     // Returns whether a wall is within these bounds or overlaps one of the parts.
     bool meet(const Bounds& bounds) const;
     bool meet(std::span<const Rectangle> parts) const;

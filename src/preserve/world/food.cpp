@@ -17,13 +17,29 @@ int cell_at(double distance, int count) {
     return static_cast<int>(std::clamp(std::floor(distance / kCell), 0.0, count - 1.0));
 }
 
+// Returns the part of an area in which pellets lie.
+WorldArea layer_of(const WorldArea& area, double limit) {
+    WorldArea layer = area;
+    if (area.has_ground && !area.ground) layer.height = std::min(area.height, limit);
+    return layer;
+}
+
 }  // namespace
 
-Food::Food(const WorldArea& area)
-    : area_(area),
+Food::Food(const WorldArea& area, double limit)
+    : area_(layer_of(area, limit)),
+      limit_(limit),
       columns_(cells_in(area.width)),
-      rows_(cells_in(area.height)),
+      rows_(cells_in(area_.top() - area_.bottom())),
       cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
+
+Vec3 Food::resting(const Vec3& place) const {
+    Vec3 inside = area_.nearest(place);
+    if (!area_.ground) return inside;
+    const double foot = area_.ground_at(inside.x());
+    inside.y() = std::clamp(inside.y(), foot, foot + limit_);
+    return inside;
+}
 
 int Food::column(double x) const {
     return cell_at(x - area_.left(), columns_);
@@ -40,7 +56,7 @@ std::vector<std::uint32_t>& Food::cell_of(const Pellet& pellet) {
 
 void Food::add(const Vec3& place, Energy energy) {
     if (energy <= 0) return;
-    const Vec3 inside = area_.nearest(place);
+    const Vec3 inside = resting(place);
     const Pellet pellet{inside.x(), inside.y(), energy};
     cell_of(pellet).push_back(static_cast<std::uint32_t>(pellets_.size()));
     pellets_.push_back(pellet);
@@ -65,7 +81,7 @@ void Food::visit(const Bounds& bounds, Visit visit) {
 }
 
 void Food::add_near(const Vec3& place, Energy energy, double distance) {
-    const Vec3 inside = area_.nearest(place);
+    const Vec3 inside = resting(place);
     const Vec3 margin(distance, distance, 0.0);
     auto nearest = static_cast<std::uint32_t>(pellets_.size());
     visit({inside - margin, inside + margin}, [&](std::uint32_t index, const Vec3& there) {

@@ -22,10 +22,11 @@ struct Pellet {
 
 class Food {
 public:
-    explicit Food(const WorldArea& area);
+    // With ground, pellets lie at most so high above it (m).
+    explicit Food(const WorldArea& area, double limit = 0.0);
 
     // Adds a pellet, unless it has no energy. Its place is moved between the walls or, where edges
-    // meet, to its image in the area.
+    // meet, to its image in the area, and above the ground.
     void add(const Vec3& place, Energy energy);
     // Adds energy to a pellet within a distance (m), or as a new one.
     void add_near(const Vec3& place, Energy energy, double distance);
@@ -46,6 +47,7 @@ public:
     void replace(std::span<const Pellet> pellets);
 
 private:
+    Vec3 resting(const Vec3& place) const;
     int column(double x) const;
     int row(double y) const;
     std::vector<std::uint32_t>& cell_of(const Pellet& pellet);
@@ -54,6 +56,7 @@ private:
     void visit(const Bounds& bounds, Visit visit);
 
     WorldArea area_;
+    double limit_;
     int columns_, rows_;
     std::vector<Pellet> pellets_;
     std::vector<std::vector<std::uint32_t>> cells_;  // indices of pellets

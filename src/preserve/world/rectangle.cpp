@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace cambrian {
 
@@ -48,6 +50,43 @@ bool overlap(const Bounds& a, const Bounds& b, const Torus& torus) {
     bool met = false;
     torus.visit_images(a, b, [&](const Vec3& shift) { met = met || overlap(moved(a, shift), b); });
     return met;
+}
+
+namespace {
+
+// Returns the height of the lower side of a rectangle at x, which must be within its bounds.
+double lower_side(const Rectangle& rectangle, double x) {
+    const std::array<Vec3, 4> corners = corners_of(rectangle);
+    // The corners go round in this order.
+    constexpr std::array<std::size_t, 4> kRound = {0, 1, 3, 2};
+    double lowest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < kRound.size(); ++i) {
+        const Vec3& from = corners[kRound[i]];
+        const Vec3& to = corners[kRound[(i + 1) % kRound.size()]];
+        if (std::min(from.x(), to.x()) > x || std::max(from.x(), to.x()) < x) continue;
+        const double width = to.x() - from.x();
+        const double share = width == 0.0 ? 0.0 : (x - from.x()) / width;
+        lowest = std::min(
+            {lowest, from.y() + share * (to.y() - from.y()), width == 0.0 ? to.y() : lowest});
+    }
+    return lowest;
+}
+
+}  // namespace
+
+// The ground and the sides are straight between these places.
+double depth_below(const Terrain& ground, const Rectangle& rectangle) {
+    double depth = -std::numeric_limits<double>::infinity();
+    for (const Vec3& corner : corners_of(rectangle))
+        depth = std::max(depth, ground.height(corner.x()) - corner.y());
+    const Bounds bounds = bounds_of(rectangle);
+    std::vector<GroundPoint> points;
+    ground.list_points(bounds.low.x(), bounds.high.x(), points);
+    for (const GroundPoint& point : points) {
+        if (point.x >= bounds.low.x() && point.x <= bounds.high.x())
+            depth = std::max(depth, point.y - lower_side(rectangle, point.x));
+    }
+    return depth;
 }
 
 double distance_to(const Rectangle& rectangle, const Vec3& point) {

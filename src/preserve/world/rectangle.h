@@ -6,6 +6,7 @@
 #include "math/torus.h"
 #include "math/types.h"
 #include "world/body_view.h"
+#include "world/terrain.h"
 
 #include <array>
 #include <cstddef>
@@ -34,6 +35,10 @@ double half_projection(const Rectangle& rectangle, const Vec3& direction);
 bool overlap(const Rectangle& a, const Rectangle& b);
 // Returns whether two boxes or images of them have a point in common.
 bool overlap(const Bounds& a, const Bounds& b, const Torus& torus);
+
+// Returns how far a rectangle would have to rise to be above the ground (m); negative if it may
+// fall.
+double depth_below(const Terrain& ground, const Rectangle& rectangle);
 
 // Returns the distance of a point from a rectangle in m; 0 inside.
 double distance_to(const Rectangle& rectangle, const Vec3& point);

@@ -166,7 +166,7 @@ const std::array kPanels = {
     PanelKind{"machines line", {kUnderAll, 14, 4},                        machines_told,  make<MachinesLine>},
     PanelKind{"suggestions",   {kCard, 16, 14, {}, 10, suggestions_place}, suggestions_open, make<SuggestionsCard>},
     PanelKind{"files",         {kCard, 20, 18, {}, 10, centered<620, 560>}, files_open,   make<FilePanel>},
-    PanelKind{"new preserve",  {kCard, 20, 18, {}, 10, centered<480, 600>}, preserve_card_open, make<NewPreserveCard>},
+    PanelKind{"new preserve",  {kCard, 20, 18, {}, 10, centered<480, 650>}, preserve_card_open, make<NewPreserveCard>},
     PanelKind{"help",          {kCard, 20, 18, {}, 10, centered<860, 640>}, help_open,    make<HelpPanel>},
     PanelKind{"samples",       {kCard, 20, 18, {}, 10, centered<780, 560>}, samples_open, make<SamplesPanel>},
     PanelKind{"start",         {kCard, 20, 18, {}, 10, centered<800, 600>}, start_open,   make<StartPanel>},

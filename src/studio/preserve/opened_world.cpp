@@ -69,6 +69,7 @@ Result<OpenedWorld> begin_world(const WorldPlan& plan, const EvolutionKinds& kin
     if (!read) return read.error();
     read->seed = plan.seed.value_or(read->seed);
     if (plan.wraps) read->preserve.edges = "wrap";
+    if (!plan.ground.is_flat()) read->world.environment.terrain = plan.ground;
     Result<std::vector<GenomePtr>> founders = founders_of(plan, *read, kinds);
     if (!founders) return founders.error();
     read->preserve.founders = std::max(read->preserve.founders, static_cast<int>(founders->size()));

@@ -5,7 +5,9 @@
 #include "core/result.h"
 #include "evolution/kinds/evolution_kinds.h"
 #include "preserve/engine/preserve_engine.h"
+#include "world/terrain_settings.h"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -32,6 +34,10 @@ enum class FounderChoice : std::uint8_t {
     kRandom
 };
 
+inline constexpr std::array kFounderChoices = {FounderChoice::kShown,   FounderChoice::kStarred,
+                                               FounderChoice::kPicked,  FounderChoice::kSwimmers,
+                                               FounderChoice::kWalkers, FounderChoice::kRandom};
+
 // Returns whether the founders are given by a choice itself.
 inline bool is_open_choice(FounderChoice choice) {
     return choice >= FounderChoice::kSwimmers;
@@ -40,6 +46,7 @@ inline bool is_open_choice(FounderChoice choice) {
 struct WorldPlan {
     std::filesystem::path settings;  // file of the laws
     bool wraps = false;              // edges meet, whatever the file says
+    TerrainSettings ground = {};     // unless it is flat, in place of the file's
     FounderChoice choice = FounderChoice::kRandom;
     std::vector<GenomePtr> founders;         // unless the choice is open
     std::filesystem::path samples;           // folder

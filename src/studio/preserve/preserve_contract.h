@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <variant>
 
 namespace cambrian {
@@ -25,6 +26,7 @@ struct PlanPreserve {
 struct BeginPreserve {
     std::optional<FounderChoice> founders;  // none: opens the last one that was begun here
     bool wraps = false;                     // edges meet
+    TerrainSettings ground = {};            // of a new meadow
 };
 // Returns to the experiment. The preserve remains in its file.
 struct ClosePreserve {};
@@ -95,11 +97,12 @@ using PreserveRequest =
 // The card with which a preserve is begun.
 struct PreserveCardView {
     bool open = false;
-    bool shown = false;       // whether a creature is on display
-    std::size_t starred = 0;  // creatures
-    std::size_t picked = 0;   // by hand
-    bool before = false;      // whether there is a preserve to continue
-    PlanPreserve plan = {};   // without settings, those of the samples are used
+    bool shown = false;                      // whether a creature is on display
+    std::size_t starred = 0;                 // creatures
+    std::size_t picked = 0;                  // by hand
+    bool before = false;                     // whether there is a preserve to continue
+    std::set<FounderChoice> on_ground = {};  // the choices whose creatures live on ground
+    PlanPreserve plan = {};                  // without settings, those of the samples are used
 };
 
 }  // namespace cambrian

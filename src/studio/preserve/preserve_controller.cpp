@@ -157,7 +157,7 @@ struct PreserveController::Handler : WorldTools {
             return self.services_.feedback.tell(
                 NoticeKind::kProblem, "Another preserve is being opened; try again after that.");
         }
-        if (request.founders) return self.begin(*request.founders, request.wraps);
+        if (request.founders) return self.begin(*request.founders, request);
         self.close();
         self.open_later([file = self.own_file_,
                          &kinds = self.services_.kinds] { return open_world(file, kinds); },
@@ -283,11 +283,16 @@ void PreserveController::carry_out(const PreserveRequest& request) {
 PreserveCardView PreserveController::card() const {
     if (!tools_.card_open) return {};
     std::error_code unknown;
+    std::set<FounderChoice> on_ground;
+    for (const FounderChoice choice : kFounderChoices) {
+        if (live_on_ground(choice, subjects_)) on_ground.insert(choice);
+    }
     return {.open = true,
             .shown = !subjects_.viewer.playback().empty(),
             .starred = subjects_.generations.facts().stars.all().size(),
             .picked = genomes_of_choice(FounderChoice::kPicked, subjects_).size(),
             .before = !own_file_.empty() && std::filesystem::exists(own_file_, unknown),
+            .on_ground = std::move(on_ground),
             .plan = tools_.plan};
 }
 
@@ -295,15 +300,16 @@ void PreserveController::send(PreserveCommand command) {
     if (open_) open_->send(std::move(command));
 }
 
-void PreserveController::begin(FounderChoice choice, bool wraps) {
+void PreserveController::begin(FounderChoice choice, const BeginPreserve& request) {
     WorldPlan plan;
     plan.settings = std::exchange(tools_.plan, {}).settings;
     if (plan.settings.empty()) {
-        const char* sample = live_on_ground(choice, subjects_) ? "meadow.toml" : "pond.toml";
-        plan.settings = assets_ / "settings" / sample;
+        const bool on_ground = live_on_ground(choice, subjects_);
+        plan.settings = assets_ / "settings" / (on_ground ? "meadow.toml" : "pond.toml");
         plan.seed = std::random_device{}();
+        if (on_ground) plan.ground = request.ground;
     }
-    plan.wraps = wraps;
+    plan.wraps = request.wraps;
     plan.choice = choice;
     plan.founders = genomes_of_choice(choice, subjects_);
     plan.samples = assets_ / "creatures";

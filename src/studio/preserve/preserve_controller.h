@@ -77,7 +77,7 @@ private:
         unsigned fits_asked = 0;
     };
     void send(PreserveCommand command);
-    void begin(FounderChoice choice, bool wraps);
+    void begin(FounderChoice choice, const BeginPreserve& request);
     void close();
     void leave();
     void branch(std::optional<std::uint64_t> tick, const std::filesystem::path& to);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace cambrian {
 namespace {
@@ -31,6 +32,26 @@ constexpr std::array kChoices = {
     Choice{FounderChoice::kRandom, "Random creatures",
            "Most starve; copies of founders come until some live by themselves"},
 };
+
+struct GroundChoice {
+    const char* label;
+    const char* help;
+    TerrainSettings terrain;
+};
+
+const std::vector<GroundChoice>& ground_choices() {
+    static const std::vector<GroundChoice> choices = {
+        {"Flat", "A level floor. Page Down leads to the next ground", {}},
+        {"Hills",
+         "Round hills up to 1.4 m high; each new world has others",
+         {.kind = "hills", .height = 1.4, .spacing = 4.0}},
+        {"Rough", "Bumps as high as a foot", {.kind = "rough", .height = 0.12, .spacing = 0.5}},
+        {"Stairs",
+         "A valley with steps of 12 cm up to both sides",
+         {.kind = "stairs", .height = 0.12, .spacing = 0.6}},
+    };
+    return choices;
+}
 
 std::size_t choice_of(FounderChoice founders) {
     std::size_t i = 0;
@@ -79,7 +100,12 @@ void NewPreserveCard::draw(const FrameContext& frame, Requests& out) {
     }
     ImGui::Dummy({0, px(6)});
     const bool planned = !card.plan.settings.empty();
-    if (!planned) draw_edges(kChoices[chosen_].founders.has_value());
+    const std::optional<FounderChoice> founders = kChoices[chosen_].founders;
+    const bool meadow = founders && card.on_ground.contains(*founders);
+    if (!planned) {
+        draw_edges(founders.has_value());
+        draw_ground(meadow);
+    }
     const bool possible = is_possible(kChoices[chosen_].founders, card);
     const bool entered = possible && panel_key(ImGuiKey_Enter);
     if (push_button("Begin", {.look = ButtonLook::kPrimary,
@@ -88,7 +114,9 @@ void NewPreserveCard::draw(const FrameContext& frame, Requests& out) {
                               .enabled = possible,
                               .tooltip = "Enter"}) ||
         entered)
-        out.ask(BeginPreserve{kChoices[chosen_].founders, wraps_ && !planned});
+        out.ask(BeginPreserve{
+            founders, wraps_ && !planned,
+            meadow && !planned ? ground_choices()[ground_].terrain : TerrainSettings{}});
 }
 
 // Chooses samples that can live in a world that was just planned.
@@ -110,7 +138,26 @@ void NewPreserveCard::draw_edges(bool possible) {
     ImGui::Dummy({0, px(6)});
 }
 
+// Water has no ground.
+void NewPreserveCard::draw_ground(bool possible) {
+    std::vector<std::string> labels;
+    std::vector<std::string> helps;
+    for (const GroundChoice& each : ground_choices()) {
+        labels.emplace_back(each.label);
+        helps.emplace_back(each.help);
+    }
+    ImGui::BeginDisabled(!possible);
+    const int pressed =
+        segmented("ground", labels, possible ? static_cast<int>(ground_) : 0, helps);
+    ImGui::EndDisabled();
+    if (pressed >= 0) ground_ = static_cast<std::size_t>(pressed);
+    ImGui::Dummy({0, px(6)});
+}
+
 void NewPreserveCard::move_by_keys(const PreserveCardView& card) {
+    const std::size_t grounds = ground_choices().size();
+    if (panel_key(ImGuiKey_PageDown)) ground_ = (ground_ + 1) % grounds;
+    if (panel_key(ImGuiKey_PageUp)) ground_ = (ground_ + grounds - 1) % grounds;
     if (panel_key(ImGuiKey_LeftArrow)) wraps_ = false;
     if (panel_key(ImGuiKey_RightArrow)) wraps_ = true;
     const std::size_t count = kChoices.size();

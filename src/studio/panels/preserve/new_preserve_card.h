@@ -17,9 +17,11 @@ private:
     void move_by_keys(const PreserveCardView& card);
     bool draw_choice(std::size_t index, bool possible);
     void draw_edges(bool possible);
+    void draw_ground(bool possible);
 
     std::size_t chosen_ = 4;          // index of the choice
     bool wraps_ = false;              // edges meet
+    std::size_t ground_ = 0;          // index of the ground of a meadow
     std::filesystem::path settings_;  // file of the plan at the last frame
 };
 

@@ -54,7 +54,7 @@ WorldWindow most_creatures(const PreservePicture& picture, const Viewport& viewp
         most = count;
         left = places[first] - 0.5 * (width - (*(end - 1) - places[first]));
     }
-    const double ground = -kGroundShare * height;
+    const double ground = picture.area.bottom() - kGroundShare * height;
     return {{left, ground}, {left + width, ground + height}};
 }
 
