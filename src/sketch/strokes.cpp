@@ -3,6 +3,7 @@
 #include "core/assert.h"
 #include "math/angle.h"
 #include "sketch/outline.h"
+#include "sketch/pairs.h"
 
 #include <fmt/core.h>
 
@@ -88,7 +89,7 @@ public:
         if (sketch_.body.parts.size() >= static_cast<std::size_t>(rules_.expression.max_parts))
             return Error{fmt::format("a body has at most {} parts here (Parts at most)",
                                      rules_.expression.max_parts)};
-        if (drawn_.mirror != MirrorSides::kNone) {
+        if (drawn_.mirror != MirrorSides::kNone && !is_on_both_sides(sketch_, parent_)) {
             if (auto pair = tried(2)) return *std::move(pair);
         }
         if (auto single = tried(1)) return *std::move(single);

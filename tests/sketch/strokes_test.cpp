@@ -2,6 +2,7 @@
 
 #include "math/angle.h"
 #include "persist/creature/creature_file.h"
+#include "sketch/pairs.h"
 #include "sketches.h"
 
 #include <filesystem>
@@ -53,6 +54,18 @@ TEST_CASE("mirrored parts are left and right, or above and below, as seen", "[sk
         drawn(grown(drawn(upright), 0, {0.11, 0.2}, {0.5, 0.3}, MirrorSides::kSideways));
     REQUIRE(arms.body.parts.size() == 3);
     CHECK((test::far_end(arms, 2) - Vec2(-0.5, 0.3)).norm() < 1e-9);
+}
+
+TEST_CASE("a shin of a pair of legs grows at both and has no images of its own",
+          "[sketch][strokes]") {
+    BodySketch legs =
+        drawn(grown(drawn(first_part()), 0, {0.25, -0.11}, {0.3, -0.5}, MirrorSides::kSideways));
+    CHECK_FALSE(is_on_both_sides(legs, 0));
+    CHECK(is_on_both_sides(legs, 2));
+    legs = drawn(grown(legs, 2, {-0.3, -0.5}, {-0.25, -0.9}, MirrorSides::kSideways));
+    REQUIRE(legs.body.parts.size() == 5);
+    CHECK((test::far_end(legs, 4) - Vec2(-0.25, -0.9)).norm() < 1e-9);
+    CHECK((test::far_end(legs, 3) - Vec2(0.25, -0.9)).norm() < 1e-9);
 }
 
 TEST_CASE("a part on the mirror's axis stays alone", "[sketch][strokes]") {
