@@ -16,6 +16,9 @@ bool over_grid(const FrameContext& frame) {
 bool over_world(const FrameContext& frame) {
     return frame.world_shown();
 }
+bool on_paper(const FrameContext& frame) {
+    return frame.drawing();
+}
 bool viewer_only(const FrameContext& frame) {
     return frame.window.viewer_only;
 }
@@ -126,6 +129,7 @@ const std::vector<ActionTable>& action_tables() {
         {"Help", nullptr, help_actions()},
         {"While picking by hand", over_grid, picking_actions()},
         {"In a preserve", over_world, preserve_actions()},
+        {"While drawing a creature", on_paper, drawing_actions()},
         {"In a window for one creature",
          viewer_only,
          {{"play",

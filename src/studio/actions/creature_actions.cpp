@@ -29,6 +29,18 @@ bool has_trials(const FrameContext& frame) {
 bool draws_ground(const FrameContext& frame) {
     return frame.viewer.ground_pen || frame.may_draw_ground();
 }
+bool may_draw(const FrameContext& frame) {
+    return frame.may_draw_creature();
+}
+bool draws_creature(const FrameContext& frame) {
+    return frame.drawing();
+}
+void draw_creature(const FrameContext& frame, Requests& out) {
+    if (frame.may_draw_creature()) out.ask(ToggleDrawing{});
+}
+void draw_new_creature(const FrameContext& frame, Requests& out) {
+    if (frame.may_draw_creature()) out.ask(DrawNewCreature{});
+}
 bool holds_pen(const FrameContext& frame) {
     return frame.viewer.ground_pen;
 }
@@ -50,6 +62,8 @@ std::vector<Action> creature_actions() {
         {"follow", "F", "Follow the creature", toggles<&ViewState::follow>, {}, is_on<&ViewState::follow>, "The camera goes with it, or stays.", true},
         {"fit", "Home", "Fit into view", asks<FitView{}>, {}, {}, "The creature on display fills the viewport.", true},
         {"draw-ground", "D", "Draw ground", asks<ToggleGroundPen{}>, draws_ground, holds_pen, "Each line that is dragged in the viewport becomes the ground between its ends."},
+        {"draw-creature", "Shift+D", "Draw this creature", draw_creature, may_draw, draws_creature, "Parts are added and changed with the mouse, on paper; each stroke can be undone."},
+        {"draw-new", "", "Draw a new creature", draw_new_creature, may_draw, {}, "It begins as one part."},
         {"side-front", "Keypad 1", "From the front", asks<LookFrom{ViewSide::kFront}>, in_space, {}, "In three dimensions; along the z axis.", true},
         {"side-right", "Keypad 3", "From the right", asks<LookFrom{ViewSide::kRight}>, in_space, {}, "In three dimensions; along the x axis.", true},
         {"side-top", "Keypad 7", "From above", asks<LookFrom{ViewSide::kTop}>, in_space, {}, "In three dimensions; along the y axis.", true},

@@ -16,6 +16,7 @@ std::vector<Action> view_actions();
 std::vector<Action> help_actions();
 std::vector<Action> picking_actions();
 std::vector<Action> preserve_actions();
+std::vector<Action> drawing_actions();
 
 inline bool in_space(const FrameContext& frame) {
     return frame.in_space();

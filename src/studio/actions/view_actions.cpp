@@ -132,6 +132,7 @@ void switch_look(const FrameContext& frame, Requests& out) {
 void close_what_is_open(const FrameContext& frame, Requests& out) {
     if (close_card(frame, out)) return;
     if (frame.window.notice != nullptr) return out.ask(DismissNotice{});
+    if (frame.drawing()) return out.ask(ToggleDrawing{});
     if (frame.viewer.ground_pen) return out.ask(ToggleGroundPen{});
     if (frame.preserve != nullptr) {
         if (frame.preserve->single) return out.ask(ShowWorld{});

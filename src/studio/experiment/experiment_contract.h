@@ -46,6 +46,8 @@ struct StartFromShown {};
 struct EvolveShown {
     bool in_its_world = false;
 };
+// Displays a creature of one part, in the world of the experiment, and takes up the pen to draw it.
+struct DrawNewCreature {};
 // Resets every draft setting that cannot change during a run to its value in the present run.
 struct DropStructuralEdits {};
 // Moves the keyboard focus to the filter of the settings.
@@ -57,8 +59,8 @@ struct ShowSetting {
 
 using ExperimentRequest =
     std::variant<ToggleEvolution, RunOneGeneration, EditSettings, FinishEdit, DrawGround, UndoEdit,
-                 RedoEdit, StartNewRun, StartFromShown, EvolveShown, DropStructuralEdits,
-                 AddImmigrants, FindSetting, ShowSetting>;
+                 RedoEdit, StartNewRun, StartFromShown, EvolveShown, DrawNewCreature,
+                 DropStructuralEdits, AddImmigrants, FindSetting, ShowSetting>;
 
 struct ExperimentView {
     const std::vector<SettingField>& fields;

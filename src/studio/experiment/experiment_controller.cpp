@@ -3,6 +3,7 @@
 #include "evolution/generation.h"
 #include "evolution/settings/goal_defaults.h"
 #include "picking/handover.h"
+#include "sketch/strokes.h"
 #include "studio/experiment/setting_groups.h"
 #include "world/ground_stroke.h"
 
@@ -94,9 +95,20 @@ struct ExperimentController::Handler {
     void operator()(const EvolveShown& request) const {
         if (self.suspended_ || self.viewer_.playback().empty()) return;
         if (request.in_its_world) self.take_over_world(self.viewer_.playback().exhibit());
+        self.viewer_.draw_or_play(false);
         (*this)(StartFromShown{});
         self.view_.newest_champion = true;
         self.experiment_.send(ResumeEvolution{});
+    }
+    void operator()(const DrawNewCreature&) const {
+        self.viewer_.show({.creature = unjudged(std::make_shared<const Genome>(first_part()),
+                                                std::make_shared<const ExperimentSettings>(
+                                                    self.experiment_.editor().draft()),
+                                                "drawn"),
+                           .source = ExhibitSource::kFounder,
+                           .title = "Drawn creature"});
+        self.viewer_.draw_or_play(true);
+        self.viewer_.carry_out(FitView{});
     }
     void operator()(const DropStructuralEdits&) const {
         SettingsEditor& editor = self.experiment_.editor();

@@ -34,12 +34,19 @@ struct FrameContext {
         const bool light_moves = environment.has_light && environment.light_motion != "still";
         return !in_space() && !viewer.playback.empty() && environment.has_ground &&
                !environment.has_wall && !world.trial.has_cube && !light_moves &&
-               preserve == nullptr && picking == nullptr && !founders_shown();
+               preserve == nullptr && picking == nullptr && !founders_shown() && !drawing();
     }
+    // Whether the body of the creature on display can be drawn by hand.
+    bool may_draw_creature() const {
+        return !in_space() && !viewer.playback.empty() && preserve == nullptr &&
+               picking == nullptr && !window.viewer_only && !window.presenting;
+    }
+    // Whether it is drawn now: it rests, and the viewport is paper.
+    bool drawing() const { return viewer.drawing.on && may_draw_creature(); }
     bool grid_shown() const { return picking != nullptr && !picking->single; }
     bool founders_shown() const {
         return coach.founders != nullptr && picking == nullptr && preserve == nullptr &&
-               !window.presenting;
+               !window.presenting && !drawing();
     }
     bool world_shown() const { return preserve != nullptr && !preserve->single; }
     // The tour waits while a preserve is open.

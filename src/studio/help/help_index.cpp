@@ -28,6 +28,8 @@ when its generation has passed.
 Press `H` to [select by hand](hand_picking.md): click the creatures you like in the grid and press
 `Enter` to breed the next one from them. `Backspace` goes back; nothing is lost.
 
+Press `Shift+D` to [draw a creature](drawing.md) with the mouse, give it a rhythm and evolve it.
+
 Press `Ctrl+N` to begin a [preserve](preserve.md): a closed world in which creatures feed, breed and
 die by themselves.
 

@@ -92,6 +92,17 @@ void draw_pencil(const Pen& pen) {
     pen.line(-0.95F, 0.9F, 0.95F, 0.9F);
 }
 
+// Draws a body on two legs.
+void draw_little_body(const Pen& pen) {
+    pen.list.AddRectFilled(pen.at(-0.8F, -0.75F), pen.at(0.8F, -0.05F), pen.color,
+                           0.25F * pen.half);
+    for (const float side : {-1.0F, 1.0F}) {
+        pen.line(0.5F * side, -0.1F, 0.8F * side, 0.45F);
+        pen.line(0.8F * side, 0.45F, 0.55F * side, 0.95F);
+        pen.list.AddCircleFilled(pen.at(0.8F * side, 0.45F), 1.2F * pen.width, pen.color, 10);
+    }
+}
+
 void draw_question(const Pen& pen) {
     constexpr auto quarter = static_cast<float>(kPi) / 2.0F;
     pen.list.PathArcTo(pen.at(0.0F, -0.4F), 0.45F * pen.half, -2.1F * quarter, 1.0F * quarter, 16);
@@ -194,6 +205,9 @@ void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, co
             break;
         case Icon::kPencil:
             draw_pencil(pen);
+            break;
+        case Icon::kBody:
+            draw_little_body(pen);
             break;
         case Icon::kHelp:
             draw_question(pen);

@@ -25,6 +25,7 @@ enum class Icon : unsigned char {
     kEye,
     kGhost,
     kPencil,
+    kBody,
     kHelp,
     kSearch,
     kStar,

@@ -31,6 +31,7 @@
 #include "studio/panels/preserve/world_panel.h"
 #include "studio/panels/preserve/world_plots.h"
 #include "studio/panels/preserve/world_strip.h"
+#include "studio/panels/viewport/drawing_strip.h"
 #include "studio/panels/viewport/transport_bar.h"
 #include "studio/panels/viewport/viewport_panel.h"
 
@@ -88,6 +89,12 @@ bool founders_shown(const FrameContext& frame) {
 }
 bool alone_shown(const FrameContext& frame) {
     return creature_shown(frame) && !founders_shown(frame);
+}
+bool alone_and_played(const FrameContext& frame) {
+    return alone_shown(frame) && !frame.drawing();
+}
+bool drawn(const FrameContext& frame) {
+    return frame.drawing();
 }
 bool no_preserve(const FrameContext& frame) {
     return frame.preserve == nullptr;
@@ -150,7 +157,8 @@ const std::array kPanels = {
     PanelKind{"founders",      {kCenter, 0, 0},                           founders_shown, make<FoundersPanel>},
     PanelKind{"founders strip", {kUnderCenter, 14, 6},                    founders_shown, make<FoundersStrip>},
     PanelKind{"viewport",      {kCenter, 0, 0},                           alone_shown,    make<ViewportPanel>},
-    PanelKind{"transport",     {kUnderCenter, 10, 6},                     alone_shown,    make<TransportBar>},
+    PanelKind{"transport",     {kUnderCenter, 10, 6},                    alone_and_played,       make<TransportBar>},
+    PanelKind{"drawing strip", {kUnderCenter, 10, 2},                     drawn,          make<DrawingStrip>},
     PanelKind{"inspector",     {kRight},                                  creature_shown, make<InspectorPanel>},
     PanelKind{"tree",          {kBottomLeft},                             picking,        make<PickingTreePanel>},
     PanelKind{"shelf place",   {kBottomRight},                            picking,        make<ShelfPanel>},

@@ -51,10 +51,11 @@ void GeneEditor::redo() {
 
 Exhibit GeneEditor::exhibit() const {
     const Version& version = versions_[present_];
-    if (version.changes.empty()) return *original_;
+    if (*version.genome == *versions_.front().genome) return *original_;
     Individual child;
     child.uid = genome_hash(*version.genome);
     child.born = original_->individual().born;
+    child.line = original_->individual().line;
     child.genome = version.genome;
     child.genome_hash = child.uid;
     child.parents[0] = original_->individual().uid;

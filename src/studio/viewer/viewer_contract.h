@@ -3,6 +3,8 @@
 // The data of the displayed creature that panels see, and the requests they may make of the viewer.
 
 #include "pictures/scene/highlight.h"
+#include "sketch/rhythm.h"
+#include "sketch/strokes.h"
 #include "studio/playback/ghosts.h"
 #include "studio/playback/playback.h"
 #include "studio/viewer/gene_editor.h"
@@ -11,6 +13,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <variant>
 #include <vector>
@@ -83,13 +86,40 @@ struct InflictLesions {
 // Removes the genes of the displayed creature that cost nothing.
 struct PruneShown {};
 struct StopLesions {};
+// Takes up the pen that draws the displayed creature's body at rest, or lays it down and plays it.
+struct ToggleDrawing {};
+struct ChoosePart {
+    std::optional<PartName> part;
+};
+struct MirrorNewParts {
+    MirrorSides sides = MirrorSides::kNone;
+};
+// The following change the chosen part, each as one step to undo.
+struct RemovePart {};
+struct RepeatPart {
+    int times = 1;
+};
+// Gives it a mirror image, or takes it away.
+struct SwitchPair {};
+// Lets all joints of the displayed creature follow a rhythm.
+struct GiveRhythm {
+    Rhythm rhythm;
+};
 
 using ViewerRequest =
     std::variant<TogglePlayback, RestartPlayback, StepPlayback, StepPlaybackBack, TurnTrial,
                  SeekPlayback, FitView, ToggleGroundPen, LookFrom, PokePart, ReleasePoke,
                  ForceNeuron, ReleaseNeuron, ShowHighlight, HoldShown, ShowExhibit, StudySenses,
                  StopSenseStudy, EditGenes, FinishGeneEdit, StudyLesions, InflictLesions,
-                 PruneShown, StopLesions>;
+                 PruneShown, StopLesions, ToggleDrawing, ChoosePart, MirrorNewParts, RemovePart,
+                 RepeatPart, SwitchPair, GiveRhythm>;
+
+// The drawing of the displayed creature by hand.
+struct DrawingView {
+    bool on = false;
+    MirrorSides mirror = MirrorSides::kNone;  // of new parts
+    std::optional<PartName> chosen = {};
+};
 
 struct ViewerView {
     const Playback& playback;
@@ -103,6 +133,7 @@ struct ViewerView {
     unsigned sides_asked = 0;            // of LookFrom requests
     ViewSide side = ViewSide::kSlanted;  // of the last of them
     bool ground_pen = false;             // the left button draws ground
+    DrawingView drawing = {};
 };
 
 }  // namespace cambrian

@@ -4,6 +4,7 @@
 #include "core/text/pretty_text.h"
 #include "genome/genome.h"
 #include "studio/background/people_words.h"
+#include "studio/viewer/drawing_edits.h"
 
 #include <utility>
 
@@ -46,6 +47,7 @@ struct ViewerController::Handler {
     void operator()(const ToggleGroundPen&) const {
         self.facts_.ground_pen = !self.facts_.ground_pen;
         if (!self.facts_.ground_pen) return;
+        self.draw_or_play(false);
         playback().restart();
         ++self.facts_.fits_asked;
     }
@@ -112,6 +114,21 @@ struct ViewerController::Handler {
         if (!playback().empty()) self.lesions_.prune(playback().exhibit());
     }
     void operator()(const StopLesions&) const { self.lesions_.stop(); }
+    void operator()(const ToggleDrawing&) const { self.draw_or_play(!self.facts_.drawing.on); }
+    void operator()(const ChoosePart& request) const { self.facts_.drawing.chosen = request.part; }
+    void operator()(const MirrorNewParts& request) const {
+        self.facts_.drawing.mirror = request.sides;
+    }
+    void operator()(const RemovePart&) const { self.edit_drawing(without_chosen); }
+    void operator()(const RepeatPart& request) const {
+        self.edit_drawing(
+            [&request](const DrawnBody& body) { return with_repeats(body, request.times); });
+    }
+    void operator()(const SwitchPair&) const { self.edit_drawing(with_pair_switched); }
+    void operator()(const GiveRhythm& request) const {
+        self.edit_drawing(
+            [&request](const DrawnBody& body) { return with_given_rhythm(body, request.rhythm); });
+    }
 };
 
 ViewerController::ViewerController(const Services& services, ViewState& view)
@@ -159,6 +176,7 @@ void ViewerController::show(Exhibit exhibit) {
     genes_.clear();
     senses_.clear();
     clear_highlight();
+    facts_.drawing.chosen.reset();
     shown_since_ = services_.feedback.now();
     services_.feedback.log().write("shown", {{"name", name}, {"title", title}, {"uid", uid}});
 }
@@ -185,7 +203,8 @@ bool ViewerController::step_gene_edit(void (GeneEditor::*step)(), const char* ne
 bool ViewerController::held() const {
     const PlayedCreature& creature = viewer_.playback().creature();
     if (creature.empty()) return false;
-    return attended_ || creature.hold() != nullptr || !creature.replay().forced().empty();
+    return facts_.drawing.on || attended_ || creature.hold() != nullptr ||
+           !creature.replay().forced().empty();
 }
 
 double ViewerController::shown_for() const {
@@ -223,6 +242,38 @@ void ViewerController::show_pruned(const LesionLab::Pruning& pruning) {
                                                    pretty_number(pruning.twin.after) + " of " +
                                                    pretty_number(pruning.twin.before) +
                                                    " is left. Ctrl+Z takes it back.");
+}
+
+void ViewerController::draw_or_play(bool draws) {
+    Playback& playback = viewer_.playback();
+    if (playback.empty() || facts_.drawing.on == draws) return;
+    facts_.drawing.on = draws;
+    if (draws) {
+        facts_.ground_pen = false;
+        view_.newest_champion = false;
+    }
+    playback.creature().pull(std::nullopt);
+    playback.restart();
+    playback.pace().playing = !draws;
+    ++facts_.fits_asked;
+    services_.feedback.log().write(draws ? "drawing" : "drawn");
+}
+
+// The edit is one step to undo, except that of a slider, which ends when it is released.
+template <class Edit>
+void ViewerController::edit_drawing(const Edit& edit) {
+    if (viewer_.playback().empty()) return;
+    const Exhibit& shown = viewer_.playback().exhibit();
+    const SketchRules rules{services_.kinds.creature, shown.settings().expression,
+                            shown.settings().world.scene};
+    Result<DrawnEdit> edited =
+        edit(DrawnBody{sketch_of(*shown.genome(), rules), rules, facts_.drawing});
+    if (!edited)
+        return services_.feedback.tell(NoticeKind::kProblem,
+                                       capitalized(edited.error().message) + ".");
+    carry_out(EditGenes{std::make_shared<const Genome>(std::move(edited->genome)),
+                        std::move(edited->change)});
+    if (edited->is_complete) genes_.finish();
 }
 
 void ViewerController::log_tick() {

@@ -38,6 +38,8 @@ public:
     }
     // Applies an environment that the user changed to the displayed creature at once.
     void use_environment(const Environment& environment);
+    // Takes up the pen that draws the displayed creature, or lays it down and plays the creature.
+    void draw_or_play(bool draws);
     // Undo or redo an edit of the genes; return false if there is none.
     bool undo_gene_edit();
     bool redo_gene_edit();
@@ -45,7 +47,7 @@ public:
     const Playback& playback() const { return viewer_.playback(); }
     const ScoreReport* score() const { return viewer_.score(); }
     // Whether the user is at work on the displayed creature, so that no other one may replace it by
-    // itself: pulls it, forces a neuron, or has the pointer in its controls.
+    // itself: draws it, pulls it, forces a neuron, or has the pointer in its controls.
     bool held() const;
     double shown_for() const;  // s since the creature was displayed
     bool animating() const;    // whether the next frame differs without input
@@ -56,6 +58,8 @@ private:
     void show_edited();
     void log_tick();
     void show_pruned(const LesionLab::Pruning& pruning);
+    template <class Edit>
+    void edit_drawing(const Edit& edit);
 
     Services services_;
     ViewState& view_;

@@ -76,7 +76,7 @@ TEST_CASE("every key is on the page of keys", "[studio][help]") {
 }
 
 TEST_CASE("a page is chosen from the list, and every page can be drawn", "[studio][help]") {
-    NullImGui gui;
+    NullImGui gui(1280.0F, 1000.0F);  // room for the names of all pages
     HelpPanel panel;
     test::StudioFixture studio;
     HelpIndex index{all_pages(), kFirstStepsPage};
@@ -100,7 +100,7 @@ TEST_CASE("a page is chosen from the list, and every page can be drawn", "[studi
     for (int i = 0; i < 3; ++i)
         gui.frame([&] { panel.draw(at_place, none); });
     const Rect& marked = gui.place("## marked block");
-    CHECK(test::inside(marked, 1280, 800));
+    CHECK(test::inside(marked, 1280, 1000));
     index.open = "missing";
     FrameContext frame = studio.frame();
     frame.guide.help = &index;

@@ -20,7 +20,9 @@ constexpr std::array kMenus = {
          "save-creature save-clip save-experiment save-settings | "
          "save-run-page save-film save-race export-* | screenshot save-seen copy-picture | "
          "compare machines | quit"},
-    Menu{"Edit", "undo redo | draw-ground | palette find-setting | new-run-* evolve-shown"},
+    Menu{"Edit",
+         "undo redo | draw-creature draw-new draw-ground | palette find-setting | new-run-* "
+         "evolve-shown"},
     Menu{"View",
          "pick-by-hand | panel-* | follow newest-always fit | side-* | overlay-* | look-* | "
          "scenery-* | "

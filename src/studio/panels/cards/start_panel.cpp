@@ -111,6 +111,15 @@ void StartPanel::draw(const FrameContext& frame, Requests& out) {
             ? push_button("Begin in two dimensions", {.tooltip = "Walkers, jumpers and others"})
             : push_button("Begin in three dimensions", {.tooltip = "A run of swimmers in space"}))
         out.ask(BeginElsewhere{});
+    if (frame.may_draw_creature()) {
+        ImGui::SameLine(0, px(8));
+        if (push_button(
+                "Draw a creature",
+                {.tooltip = "Draw a body with the mouse, give it a rhythm and evolve it"})) {
+            out.ask(DrawNewCreature{});
+            out.ask(ToggleStartPage{});
+        }
+    }
     ImGui::BeginChild("start", {0, 0}, false, ImGuiWindowFlags_NoBackground);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kRunGap), px(kRunGap)));
     section("Recent runs");

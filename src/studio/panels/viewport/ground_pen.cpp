@@ -1,7 +1,6 @@
 #include "studio/panels/viewport/ground_pen.h"
 
-#include "studio/look/ui_context.h"
-#include "studio/widgets/widgets.h"
+#include "studio/panels/viewport/viewport_labels.h"
 #include "world/ground_stroke.h"
 
 #include <cmath>
@@ -12,7 +11,6 @@ namespace {
 
 constexpr double kPenPixels = 3.0;  // between two points of a stroke
 constexpr std::size_t kMostPenPoints = 4000;
-constexpr float kHintTop = 12.0F;  // pixels from the top
 constexpr const char* kHint =
     "Drag a line: it becomes the ground between its ends  ·  Shift: straight  ·  "
     "Ctrl+Z takes it back  ·  D ends";
@@ -50,16 +48,7 @@ void GroundPen::add_stroke(SceneCanvas& canvas) const {
 }
 
 void GroundPen::draw_hint(const SceneCanvas& canvas) {
-    const WithFont font(ui().fonts.small);
-    const ImVec2 size = ImGui::CalcTextSize(kHint);
-    const float left = canvas.area.x + 0.5F * (canvas.area.width - size.x);
-    const ImVec2 low = {std::round(left),
-                        std::round(canvas.area.y + canvas.area.height - size.y - px(kHintTop))};
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({low.x - px(8), low.y - px(4)},
-                       {low.x + size.x + px(8), low.y + size.y + px(4)},
-                       paint(with_alpha(colors().panel, 0.88F)), px(6));
-    list.AddText(low, paint(colors().text), kHint);
+    cambrian::draw_hint(canvas, kHint);
 }
 
 }  // namespace cambrian

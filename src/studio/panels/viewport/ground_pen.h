@@ -17,7 +17,7 @@ public:
     bool handle_mouse(const FrameContext& frame, const SceneCanvas& canvas, Requests& out);
     // Shows the stroke as it would become ground.
     void add_stroke(SceneCanvas& canvas) const;
-    // Says how it is used, along the top of the canvas.
+    // Says how it is used, along the bottom of the canvas.
     static void draw_hint(const SceneCanvas& canvas);
 
 private:

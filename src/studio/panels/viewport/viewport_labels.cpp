@@ -21,6 +21,7 @@ namespace {
 // Pixels from the top that the text about the creature takes.
 constexpr float kWordsHeight = 132.0F;
 constexpr float kActionsHeight = 34.0F;  // of the buttons below the words
+constexpr float kHintRoom = 12.0F;       // pixels below the hint
 
 void shadowed_text(ImDrawList& list, ImFont* font, float size, const ImVec2& at, const Color& color,
                    const std::string& text) {
@@ -116,20 +117,6 @@ void draw_grid_labels(const FrameContext& frame, const SceneCanvas& canvas,
         const double aside = (nearest(camera.target.z()) + i) * spacing;
         if (aside != 0.0) label({0.0, 0.0, aside}, aside);
     }
-}
-
-// Draws a name on a small plate, centred.
-void draw_plate(const SceneCanvas& canvas, const Vec2& at, const std::string& name) {
-    const Vec2 place = canvas.camera.to_screen(at, canvas.size());
-    const WithFont font(ui().fonts.small);
-    const ImVec2 size = ImGui::CalcTextSize(name.c_str());
-    const ImVec2 low = {std::round(canvas.area.x + static_cast<float>(place.x()) - 0.5F * size.x),
-                        std::round(canvas.area.y + static_cast<float>(place.y()) - 0.5F * size.y)};
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({low.x - px(5), low.y - px(1)},
-                       {low.x + size.x + px(5), low.y + size.y + px(1)},
-                       paint(with_alpha(colors().panel, 0.85F)), px(4));
-    list.AddText(low, paint(colors().text), name.c_str());
 }
 
 // Draws each ghost's name at its middle.
@@ -261,6 +248,33 @@ void draw_creature_words(const FrameContext& frame, const SceneCanvas& canvas) {
 }
 
 }  // namespace
+
+void draw_plate(const SceneCanvas& canvas, const Vec2& at, const std::string& words) {
+    const Vec2 place = canvas.camera.to_screen(at, canvas.size());
+    const WithFont font(ui().fonts.small);
+    const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+    const ImVec2 low = {std::round(canvas.area.x + static_cast<float>(place.x()) - 0.5F * size.x),
+                        std::round(canvas.area.y + static_cast<float>(place.y()) - 0.5F * size.y)};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({low.x - px(5), low.y - px(1)},
+                       {low.x + size.x + px(5), low.y + size.y + px(1)},
+                       paint(with_alpha(colors().panel, 0.85F)), px(4));
+    list.AddText(low, paint(colors().text), words.c_str());
+}
+
+void draw_hint(const SceneCanvas& canvas, const std::string& words) {
+    const WithFont font(ui().fonts.small);
+    const std::string shown = fit_text(words, canvas.area.width - px(40));
+    const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
+    const float left = canvas.area.x + 0.5F * (canvas.area.width - size.x);
+    const ImVec2 low = {std::round(left),
+                        std::round(canvas.area.y + canvas.area.height - size.y - px(kHintRoom))};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({low.x - px(8), low.y - px(4)},
+                       {low.x + size.x + px(8), low.y + size.y + px(4)},
+                       paint(with_alpha(colors().panel, 0.88F)), px(6));
+    list.AddText(low, paint(colors().text), shown.c_str());
+}
 
 bool has_actions(const FrameContext& frame) {
     return !frame.viewer.playback.empty() && !frame.window.viewer_only &&

@@ -119,7 +119,9 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
     canvas_.frame.detail = detail_of(frame.window.scenery);
     canvas_.frame.background = colors().sky;
     if (!frame.viewer.playback.empty()) {
-        if (frame.in_space()) {
+        if (frame.drawing()) {
+            draw_paper(frame, out);
+        } else if (frame.in_space()) {
             draw_space(frame, out);
         } else {
             handle_mouse(frame, out);
@@ -128,7 +130,11 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
         }
     }
     canvas_.add_to(*ImGui::GetWindowDrawList());
-    if (!frame.viewer.playback.empty()) draw_viewport_labels(frame, canvas_, space_);
+    if (frame.drawing()) {
+        paper_.draw_words(canvas_, out);
+    } else if (!frame.viewer.playback.empty()) {
+        draw_viewport_labels(frame, canvas_, space_);
+    }
     if (frame.viewer.ground_pen && frame.may_draw_ground()) GroundPen::draw_hint(canvas_);
     if (frame.window.presenting) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_None);
@@ -139,7 +145,8 @@ void ViewportPanel::draw(const FrameContext& frame, Requests& out) {
     if (frame.in_space() && !frame.viewer.playback.empty())
         draw_axes_gizmo(space_.camera(), {at.x + room.x - px(0.5F * kGizmoSide + 10),
                                           at.y + px(50 + 0.5F * kGizmoSide)});
-    if (has_actions(frame)) draw_shown_actions(frame, {at.x + px(14), at.y + px(kActionsTop)}, out);
+    if (has_actions(frame) && !frame.drawing())
+        draw_shown_actions(frame, {at.x + px(14), at.y + px(kActionsTop)}, out);
 }
 
 void ViewportPanel::draw_space(const FrameContext& frame, Requests& out) {
@@ -148,6 +155,12 @@ void ViewportPanel::draw_space(const FrameContext& frame, Requests& out) {
     space_.place_camera(frame, canvas_, std::exchange(seen_, shown) != shown,
                         std::exchange(fit_wanted_, false));
     space_.build_scene(frame, canvas_);
+}
+
+void ViewportPanel::draw_paper(const FrameContext& frame, Requests& out) {
+    paper_.handle_mouse(frame, canvas_, out);
+    paper_.place_camera(canvas_, std::exchange(fit_wanted_, false));
+    paper_.build_scene(frame, canvas_);
 }
 
 Vec2 ViewportPanel::follow_target(const FrameContext& frame) const {

@@ -3,6 +3,7 @@
 #include "pictures/scene/scene_builder.h"
 #include "studio/frame/panel.h"
 #include "studio/host/scene_canvas.h"
+#include "studio/panels/viewport/drawing_paper.h"
 #include "studio/panels/viewport/ground_pen.h"
 #include "studio/panels/viewport/space_view.h"
 
@@ -34,10 +35,12 @@ private:
     void add_overlays(const FrameContext& frame, const CreatureLook& look);
 
     void draw_space(const FrameContext& frame, Requests& out);
+    void draw_paper(const FrameContext& frame, Requests& out);
 
     SceneCanvas canvas_;
     SpaceView space_;
     GroundPen pen_;
+    DrawingPaper paper_;
     bool fit_wanted_ = true;
     unsigned fits_seen_ = 0;           // number of FitView requests handled so far
     const Phenotype* seen_ = nullptr;  // creature of the last frame; compared only

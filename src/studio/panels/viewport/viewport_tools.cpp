@@ -67,6 +67,19 @@ void pen_button(const FrameContext& frame, Requests& out) {
     ImGui::SameLine();
 }
 
+void drawing_button(const FrameContext& frame, Requests& out) {
+    if (push_button("Draw creature",
+                    {.look = frame.drawing() ? ButtonLook::kSelected : ButtonLook::kGhost,
+                     .icon = Icon::kBody,
+                     .label_shown = false,
+                     .width = px(30),
+                     .height = px(28),
+                     .tooltip = "Draw this creature: add parts and change them with the mouse "
+                                "(Shift+D)"}))
+        out.ask(ToggleDrawing{});
+    ImGui::SameLine();
+}
+
 }  // namespace
 
 void draw_shown_actions(const FrameContext& frame, const ImVec2& at, Requests& out) {
@@ -106,7 +119,7 @@ void draw_shown_actions(const FrameContext& frame, const ImVec2& at, Requests& o
 
 void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& out) {
     const bool draws = frame.viewer.ground_pen || frame.may_draw_ground();
-    const float buttons = draws ? 3.0F : 2.0F;
+    const float buttons = 2.0F + (draws ? 1.0F : 0.0F) + (frame.may_draw_creature() ? 1.0F : 0.0F);
     const float width =
         frame.window.viewer_only ? px(30) : px(30) * buttons + px(24) + px(4) * buttons;
     const ImVec2 at = {area.x + area.width - width - px(10), area.y + px(10)};
@@ -117,6 +130,7 @@ void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& 
     ImGui::SetCursorScreenPos(at);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(4)));
     if (!frame.window.viewer_only) {
+        if (frame.may_draw_creature()) drawing_button(frame, out);
         if (draws) pen_button(frame, out);
         menu_button("Ghosts", Icon::kGhost, "Champions of other generations beside this one",
                     frame.view.ghosts != GhostChoice::kNone, ghost_lines, frame, out);
