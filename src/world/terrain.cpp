@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <mutex>
 #include <utility>
 
 namespace cambrian {
@@ -232,27 +233,29 @@ bool is_level(const Terrain::Side& side) {
                                            [](const GroundPoint& point) { return point.y == 0.0; });
 }
 
-// Grounds that a thread made and that are in use. The scenes of one world that it makes share
-// theirs, which may be large.
+// Grounds that are in use. The scenes of one world share theirs, which may be large.
 class GroundsInUse {
 public:
     std::shared_ptr<const Terrain> find(const TerrainSettings& settings) {
+        const std::lock_guard lock(mutex_);
         for (const auto& [known, ground] : grounds_) {
             if (known == settings) return ground.lock();
         }
         return nullptr;
     }
     void add(const TerrainSettings& settings, const std::shared_ptr<const Terrain>& ground) {
+        const std::lock_guard lock(mutex_);
         std::erase_if(grounds_, [](const auto& each) { return each.second.expired(); });
         grounds_.emplace_back(settings, ground);
     }
 
 private:
+    std::mutex mutex_;
     std::vector<std::pair<TerrainSettings, std::weak_ptr<const Terrain>>> grounds_;
 };
 
 GroundsInUse& grounds_in_use() {
-    thread_local GroundsInUse grounds;
+    static GroundsInUse grounds;
     return grounds;
 }
 
