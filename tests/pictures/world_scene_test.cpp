@@ -157,6 +157,34 @@ TEST_CASE("the plants of a meadow stand on the ground, from wherever they are se
     }
 }
 
+TEST_CASE("on hills, plants and what is scenery stand on the surface, also beyond joined edges",
+          "[pictures][preserve]") {
+    PreservePicture picture;
+    picture.area = {60.0, 8.0, true, true};
+    TerrainSettings terrain{.kind = "drawn", .points = "-9 0; -6 1; 6 1; 9 0"};
+    terrain.world_width = 60.0;
+    picture.area.ground = *Terrain::make(terrain);
+    Pellet plant;
+    plant.x = 3.0;
+    plant.y = 1.4;
+    picture.plants = {plant};
+    for (const double middle : {3.0, -57.0}) {
+        Camera camera;
+        camera.center = {middle, 1.2};
+        camera.pixels_per_metre = 50.0;
+        SceneFrame frame;
+        add_world(frame, palette_of(ThemeKind::kDark), camera, {800.0, 500.0}, picture, {});
+        CHECK(frame.ground.at(middle) == Approx(1.0));
+        CHECK(frame.ground.at(middle + 4.5) == Approx(0.5));
+        const bool stands =
+            std::any_of(frame.shapes.begin(), frame.shapes.end(), [&](const Shape& shape) {
+                return std::fabs(shape.center.x() - middle) < 1e-9 &&
+                       std::fabs(shape.center.y() - 1.2) < 1e-9 && shape.half_extents.x() >= 0.2;
+            });
+        CHECK(stands);
+    }
+}
+
 TEST_CASE("living creatures are seen beyond joined edges, near and from afar",
           "[pictures][preserve]") {
     const Palette palette = palette_of(ThemeKind::kDark);
