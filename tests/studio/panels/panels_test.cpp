@@ -406,6 +406,25 @@ TEST_CASE("a preserve begins with the edges that were chosen", "[studio][preserv
     CHECK_FALSE(test::asked<BeginPreserve>(click(gui, card, studio, "Begin")).wraps);
 }
 
+TEST_CASE("the ground of a meadow is chosen with its founders, and water has none",
+          "[studio][preserve]") {
+    NullImGui gui(700.0F, 760.0F);
+    NewPreserveCard card;
+    test::StudioFixture studio;
+    studio.preserve_card().on_ground = {FounderChoice::kWalkers};
+    const auto begun = [&] {
+        return test::asked<BeginPreserve>(click(gui, card, studio, "Begin"));
+    };
+    CHECK(click(gui, card, studio, "The walkers among the samples").all().empty());
+    CHECK(begun().ground.is_flat());
+    CHECK(click(gui, card, studio, "Hills").all().empty());
+    CHECK(begun().ground.kind == "hills");
+    test::press_key(gui, card, studio, ImGuiKey_PageDown);
+    CHECK(begun().ground.kind == "rough");
+    CHECK(click(gui, card, studio, "The swimmers among the samples").all().empty());
+    CHECK(begun().ground.is_flat());
+}
+
 TEST_CASE("what can be done with the creature on display is offered below its name",
           "[studio][panels]") {
     NullImGui gui(900.0F, 600.0F);

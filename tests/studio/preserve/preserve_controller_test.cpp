@@ -61,6 +61,23 @@ TEST_CASE("beginning twice begins one preserve and moves none aside", "[studio][
     CHECK_FALSE(std::filesystem::exists(run.state() / "preserve-before.cambrian"));
 }
 
+TEST_CASE("a new meadow has the ground that was asked for", "[studio][preserve]") {
+    for (const char* kind : {"hills", "rough", "stairs"}) {
+        PreserveRun run;
+        run.ask(BeginPreserve{FounderChoice::kWalkers, false, {.kind = kind, .height = 0.1}});
+        run.settle();
+        REQUIRE(run.open());
+        const PreserveView& preserve = *run.studio.frame_context().preserve;
+        CHECK(preserve.founding->world.environment.terrain.kind == kind);
+        CHECK(preserve.picture.area.ground != nullptr);
+    }
+    PreserveRun water;
+    water.ask(BeginPreserve{FounderChoice::kSwimmers, false, {.kind = "hills"}});
+    water.settle();
+    REQUIRE(water.open());
+    CHECK(water.studio.frame_context().preserve->picture.area.ground == nullptr);
+}
+
 TEST_CASE("a settings file of a preserve begins one with its settings and its seed",
           "[studio][preserve]") {
     PreserveRun run;

@@ -41,7 +41,7 @@ struct GroundChoice {
 
 const std::vector<GroundChoice>& ground_choices() {
     static const std::vector<GroundChoice> choices = {
-        {"Flat", "A level floor. Page Down leads to the next ground", {}},
+        {"Flat ground", "A level floor. Page Down leads to the next ground", {}},
         {"Hills",
          "Round hills up to 1.4 m high; each new world has others",
          {.kind = "hills", .height = 1.4, .spacing = 4.0}},
