@@ -15,7 +15,8 @@
 namespace cambrian {
 namespace {
 
-constexpr float kNarrowDrawingStrip = 640.0F;
+constexpr float kNarrowDrawingStrip = 640.0F;  // narrower ones have no labels
+constexpr float kTightDrawingStrip = 500.0F;   // and fewer words
 constexpr float kToolHeight = 25.0F;
 constexpr float kMostSliderWidth = 150.0F;
 
@@ -34,12 +35,16 @@ bool tool_button(const char* label, const char* help, bool enabled,
     return pressed;
 }
 
+bool is_tight_strip() {
+    return ImGui::GetWindowWidth() < px(kTightDrawingStrip);
+}
+
 void choose_mirror(const FrameContext& frame, bool narrow, Requests& out) {
     static const std::vector<std::string> labels = {"One side", "Left and right",
                                                     "Above and below"};
     const auto chosen = static_cast<std::size_t>(frame.viewer.drawing.mirror);
     if (!narrow) strip_label("New parts");
-    if (begin_choice("##mirror", labels[chosen], px(136))) {
+    if (begin_choice("##mirror", labels[chosen], px(is_tight_strip() ? 104 : 136))) {
         for (std::size_t i = 0; i < labels.size(); ++i) {
             if (choice_line(labels[i], i == chosen))
                 out.ask(MirrorNewParts{static_cast<MirrorSides>(i)});
@@ -97,7 +102,7 @@ void DrawingStrip::draw_part(const FrameContext& frame, Requests& out) const {
     if (tool_button("−", "One copy less in a row (-)", part && repeats > 1))
         out.ask(RepeatPart{repeats - 1});
     note_place("repeat less");
-    strip_label(fmt::format("{} in a row", repeats).c_str());
+    strip_label(fmt::format("{}{}", repeats, is_tight_strip() ? "×" : " in a row").c_str());
     if (tool_button("+", "One copy more, at the end of the last one (+)",
                     part && repeats < gene_range::kMaxRecursion))
         out.ask(RepeatPart{repeats + 1});

@@ -141,7 +141,7 @@ void draw_viewport_tools(const FrameContext& frame, const Rect& area, Requests& 
     if (!frame.window.viewer_only) {
         ImGui::SameLine();
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() + px(3));
-        help_mark("viewport", out);
+        help_mark(frame.drawing() ? "drawing" : "viewport", out);
     }
     ImGui::PopStyleVar();
 }
