@@ -84,7 +84,7 @@ Result<Genome> with_rhythm(const BodySketch& sketch, const Rhythm& rhythm,
     if (nodes.empty()) return Error{"a rhythm needs a joint; draw a part that grows from another"};
     const std::uint8_t sine = sine_function(rules.kinds.catalog);
     const double frequency = std::clamp(rhythm.frequency, kLeastFrequency, kMostFrequency);
-    const double swing = std::clamp(rhythm.swing, kLeastSwing, kMostSwing);
+    const double swing = std::clamp(rhythm.swing, kLeastRhythmSwing, kMostRhythmSwing);
     const double wave = std::clamp(rhythm.wave, -kMostWave, kMostWave);
     Genome genome = sketch.genome;
     for (std::size_t i = 0; i < nodes.size(); ++i) {

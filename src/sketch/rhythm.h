@@ -16,8 +16,8 @@ struct Rhythm {
 };
 inline constexpr double kLeastFrequency = 0.2;
 inline constexpr double kMostFrequency = 3.0;
-inline constexpr double kLeastSwing = 0.05;
-inline constexpr double kMostSwing = 1.6;
+inline constexpr double kLeastRhythmSwing = 0.05;
+inline constexpr double kMostRhythmSwing = 1.6;
 inline constexpr double kMostWave = 1.0;  // either way
 
 // Gives each node whose joint moves a sine and lets the joint follow it. Fails if no joint moves.

@@ -55,7 +55,7 @@ TEST_CASE("another rhythm changes the neurons that the first one added", "[sketc
     check_valid(*second);
     CHECK(second->nodes[1].neurons.size() == 1);
     CHECK(second->nodes[1].neurons[0].inputs[0].weight == kMostFrequency);
-    CHECK(second->nodes[1].effector.weight == kMostSwing);
+    CHECK(second->nodes[1].effector.weight == kMostRhythmSwing);
 }
 
 TEST_CASE("joints whose sines are out of step have no rhythm", "[sketch][rhythm]") {

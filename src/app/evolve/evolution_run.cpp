@@ -4,6 +4,7 @@
 #include "app/cluster/cluster_watch.h"
 #include "app/command_line/started_file.h"
 #include "app/evolve/evolution_report.h"
+#include "app/evolve/run_museum.h"
 #include "app/evolve/run_outputs.h"
 #include "app/process/interruption.h"
 #include "app/process/messages.h"
@@ -19,7 +20,6 @@
 #include "evolution/evolution.h"
 #include "evolution/fields/setting_changes.h"
 #include "evolution/settings/chance.h"
-#include "persist/creature/champion_museum.h"
 #include "persist/creature/creature_file.h"
 #include "persist/creature/rescoring.h"
 #include "persist/experiment/experiment_file.h"
@@ -76,30 +76,12 @@ Result<RunOutputs> take_names(ExperimentFile& file, RunOutputs outputs, const Ev
     }
 }
 
-// The given creatures and, as far as there are places, those of the museum.
-Result<std::vector<GenomePtr>> founders_of(const EvolutionRun& run,
-                                           const ExperimentSettings& settings,
-                                           const EvolutionKinds& kinds) {
-    const int places = settings.population.size;
-    const auto files = load_founders(run.founders, {"[population] size", places}, settings, kinds);
-    if (!files) return files.error();
-    std::vector<GenomePtr> founders = genomes_of(*files);
-    if (settings.population.museum <= 0.0) return founders;
-    if (run.museum.empty()) return no_museum(settings);
-    const std::vector<GenomePtr> drawn = museum_founders(run.museum, settings, kinds);
-    if (drawn.empty()) say(run.museum + ": the museum has no creature for this world yet");
-    for (const GenomePtr& genome : drawn) {
-        if (founders.size() < static_cast<std::size_t>(places)) founders.push_back(genome);
-    }
-    return founders;
-}
-
 Result<Course> new_course(const EvolutionRun& run, const EvolutionKinds& kinds) {
     const Result<SettingsPtr> settings = settings_of(run, kinds);
     if (!settings) return settings.error();
     for (const std::string& warning : setting_warnings(**settings, kinds))
         say(warning);
-    const auto given = founders_of(run, **settings, kinds);
+    const auto given = founders_of({run.founders, run.museum}, **settings, kinds);
     if (!given) return given.error();
     const std::vector<GenomePtr>& founders = *given;
     Result<RunOutputs> outputs = run_outputs({run.out, **settings, files_of(run)});
@@ -319,16 +301,6 @@ Harvest evolve(Course& course, EvaluationBackend& backend, const ReportedRun& ru
     }
 }
 
-// Puts the champion into the museum, if one is named, and says so.
-Status exhibit(const EvolutionRun& run, const CreatureDocument& champion,
-               const EvolutionKinds& kinds) {
-    if (run.museum.empty()) return {};
-    const auto admitted = admit(run.museum, champion, kinds);
-    if (!admitted) return admitted.error();
-    say(fmt::format("{}: {}", run.museum, words_of(*admitted)));
-    return {};
-}
-
 // Saves the champion and prints the final line.
 ExitStatus report(const EvolutionRun& asked, const Course& course, const Harvest& harvest,
                   const ReportedRun& run, const EvolutionKinds& kinds) {
@@ -346,7 +318,7 @@ ExitStatus report(const EvolutionRun& asked, const Course& course, const Harvest
             if (!saved) return fail(saved.error(), ExitStatus::kFailed);
             outputs.champion = *saved;
         }
-        if (const Status shown = exhibit(asked, champion, kinds); !shown)
+        if (const Status shown = exhibit(asked.museum, champion, kinds); !shown)
             return fail(shown.error(), ExitStatus::kFailed);
     }
     if (!harvest.told) return fail(harvest.told.error(), ExitStatus::kFailed);

@@ -22,7 +22,7 @@ Result<std::size_t> chosen_part(const DrawnBody& body) {
 }
 
 Result<std::size_t> chosen_limb(const DrawnBody& body) {
-    const Result<std::size_t> part = chosen_part(body);
+    Result<std::size_t> part = chosen_part(body);
     if (part && *part == 0) return Error{"this is the first part, from which the others grow"};
     return part;
 }

@@ -14,7 +14,7 @@
 namespace cambrian {
 namespace {
 
-constexpr float kBandShade = 0.2F;
+constexpr float kArmShade = 0.2F;
 
 // Returns the ranges that hold all bands; none without points.
 std::optional<PlotScale> scale_of(const ComparisonResults& results, const Rect& area) {
@@ -69,7 +69,7 @@ void draw_comparison_chart(const ComparisonResults& results, const std::string& 
     for (std::size_t i = 0; i < results.arms.size(); ++i) {
         const CurveBand& band = results.arms[i].band;
         draw_band(list, *scale, band.trials, band.lower, band.upper,
-                  with_alpha(color_of_curve(i), kBandShade));
+                  with_alpha(color_of_curve(i), kArmShade));
     }
     for (std::size_t i = 0; i < results.arms.size(); ++i) {
         const CurveBand& band = results.arms[i].band;

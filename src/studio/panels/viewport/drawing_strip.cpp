@@ -139,8 +139,8 @@ void DrawingStrip::draw_rhythm(Requests& out) {
     static const std::array rows = {
         RhythmRow{"Beat", &Rhythm::frequency, kLeastFrequency, kMostFrequency, 1.0, "%.2f a second",
                   "Swings of each joint in a second"},
-        RhythmRow{"Swing", &Rhythm::swing, kLeastSwing, kMostSwing, to_degrees(1.0), "%.0f°",
-                  "How far each joint swings either way"},
+        RhythmRow{"Swing", &Rhythm::swing, kLeastRhythmSwing, kMostRhythmSwing, to_degrees(1.0),
+                  "%.0f°", "How far each joint swings either way"},
         RhythmRow{"Wave", &Rhythm::wave, -kMostWave, kMostWave, 1.0, "%.2f",
                   "How far the last joint is behind the first, in swings: at 0 all move together, "
                   "at 1 a wave runs through the body"}};
