@@ -78,6 +78,7 @@ void StudioController::remember_in(const std::filesystem::path& folder) {
     files_.use_museum(museum);
     preserve_.keep_in(folder);
     comparison_.keep_in(folder);
+    comparison_.take_founders_from(museum);
 }
 
 void StudioController::reopen_last() {

@@ -215,8 +215,11 @@ TEST_CASE("ground with a shape says what it lacks and where it is not built",
     CHECK_THAT(setting_warnings(settings, kinds()).back(), Catch::Contains("terrain-points"));
     ExperimentSettings preserve = preserve_defaults(kinds(), true);
     CHECK(check_preserve(preserve, kinds()).has_value());
-    preserve.world.environment.terrain = terrain;
-    CHECK_THAT(check_preserve(preserve, kinds()).error().message, Catch::Contains("flat"));
+    preserve.world.environment.terrain.kind = "hills";
+    CHECK(check_preserve(preserve, kinds()).has_value());
+    // Plants in a pit would bind all energy.
+    preserve.world.environment.terrain.kind = "gaps";
+    CHECK_THAT(check_preserve(preserve, kinds()).error().message, Catch::Contains("terrain"));
 }
 
 TEST_CASE("hopeless trials end early by default where that saves time", "[evolution][settings]") {

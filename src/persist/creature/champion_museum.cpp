@@ -3,7 +3,6 @@
 #include "core/random.h"
 #include "persist/creature/creature_card.h"
 #include "persist/creature/rescoring.h"
-#include "persist/experiment/file_dimensions.h"
 
 #include <fmt/core.h>
 
@@ -98,8 +97,9 @@ std::vector<GenomePtr> museum_founders(const fs::path& museum, const ExperimentS
     std::vector<GenomePtr> founders;
     for (const fs::path& file : files) {
         if (founders.size() >= wanted) break;
-        if (dimensions_of_file(file) != kinds.creature.scene.dimensions) continue;
-        const Result<CreatureDocument> document = load_creature(file, kinds);
+        const Result<std::string> text = read_creature_text(file);
+        if (!text || dimensions_of_creature(*text) != kinds.creature.scene.dimensions) continue;
+        const auto document = parse_creature(*text, file.string(), kinds);
         if (document) founders.push_back(document->creature.individual->genome);
     }
     return founders;

@@ -5,7 +5,6 @@
 #include "goals/goal.h"
 #include "persist/settings/settings_file.h"
 #include "persist/text/digest_text.h"
-#include "studio/preferences.h"
 
 #include <fmt/core.h>
 
@@ -67,7 +66,7 @@ Result<RunningComparison::Job> ComparisonController::job() const {
     const ExperimentSettings& settings = experiment_.open().editor().draft();
     auto plan = plan_of(facts_.draft, settings, services_.kinds);
     if (!plan) return plan.error();
-    plan->museum = own_museum(folder_);
+    plan->museum = museum_;
     auto runs = planned_runs(*plan, services_.kinds);
     if (!runs) return runs.error();
     return RunningComparison::Job{

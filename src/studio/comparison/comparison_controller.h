@@ -22,6 +22,8 @@ public:
 
     // Keeps comparisons in folders inside this one from now on.
     void keep_in(const std::filesystem::path& folder) { folder_ = folder; }
+    // Runs whose settings say so take founders from this museum.
+    void take_founders_from(const std::filesystem::path& museum) { museum_ = museum; }
     // Must be called once a frame.
     void update();
     void carry_out(const ComparisonRequest& request);
@@ -37,6 +39,7 @@ private:
     const ExperimentController& experiment_;
     ThreadShare threads_;
     std::filesystem::path folder_;
+    std::filesystem::path museum_;
     ComparisonView facts_;
     std::unique_ptr<RunningComparison> running_;  // null if none is under way
 };

@@ -76,18 +76,19 @@ TEST_CASE("the museum is shown below the samples", "[studio][museum]") {
     REQUIRE(library.samples.size() > 10);
     CHECK(library.samples.back().of_museum);
     CHECK_FALSE(library.samples.front().of_museum);
-    NullImGui gui;
-    SamplesPanel panel;
     const test::StudioFixture studio;
     FrameContext frame = studio.frame();
     frame.files.samples = &library;
-    Requests out;
-    gui.frame([&] { panel.draw(frame, out); });
-    CHECK(gui.has("museum"));
+    const auto names_museum = [&] {
+        NullImGui gui;
+        SamplesPanel panel;
+        Requests out;
+        gui.frame([&] { panel.draw(frame, out); });
+        return gui.has("museum");
+    };
+    CHECK(names_museum());
     library.samples.pop_back();
-    NullImGui without;
-    without.frame([&] { panel.draw(frame, out); });
-    CHECK_FALSE(without.has("museum"));
+    CHECK_FALSE(names_museum());
 }
 
 }  // namespace
