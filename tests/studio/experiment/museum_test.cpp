@@ -35,7 +35,9 @@ TEST_CASE("the champion of a run goes into the museum and founds another run", "
     run.studio.remember_in(folder.path());
     evolve_until(run, kMuseumGenerations);
     run.ask(StartNewRun{});
-    REQUIRE(run.frames_until([&] { return exhibits_in(museum) == 1; }));
+    REQUIRE(run.frames_until(
+        [&] { return run.log().find("{\"event\":\"museum\"") != std::string::npos; }));
+    CHECK(exhibits_in(museum) == 1);
     ExperimentSettings draft = run.studio.frame_context().experiment.editor.draft();
     draft.population.museum = 0.2;
     run.ask(EditSettings{draft, "population.museum"});
