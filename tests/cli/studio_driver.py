@@ -84,7 +84,10 @@ class Display:
         path = PICTURES / name
         self.wait_for_frames()
         screen = pathlib.Path(self.memory.name, "Xvfb_screen0").read_bytes()
-        path.write_bytes(png_of_dump(screen))
+        # Whole at once, since tests that run beside each other may write the same picture.
+        unfinished = path.with_name(f"{os.getpid()}-{name}")
+        unfinished.write_bytes(png_of_dump(screen))
+        unfinished.replace(path)
         return path
 
     def close(self):
